@@ -74,7 +74,7 @@ template <class P, class S, class V, class M, class F, class R, bool marks>
 inline constexpr std::size_t member_count<detail::PassJob<P, S, V, M, F, R, marks>> = 10;
 template <class F, class S, class O, class R> inline constexpr std::size_t member_count<detail::Finish<F, S, O, R>> = 4;
 template <class F, class M, class S, class P, class K, class T, PassTraits traits, class V>
-inline constexpr std::size_t member_count<Scope<F, M, S, P, K, T, traits, V>> = 18;
+inline constexpr std::size_t member_count<Scope<F, M, S, P, K, T, traits, V>> = 19;
 template <class F, int N, class M> inline constexpr std::size_t member_count<detail::PlanarView<F, N, M>> = 2;
 template <class C, class T> inline constexpr std::size_t member_count<detail::Slot<C, T>> = 1;
 template <class Job> inline constexpr std::size_t member_count<detail::LateJob<Job>> = 3;

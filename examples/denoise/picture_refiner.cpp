@@ -4,9 +4,7 @@
 
 #include <quell/core/light.hpp>
 #include <quell/core/real.hpp>
-#include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
-#include <quell/resolve/repeated_residual.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -58,19 +56,6 @@ void add_to_signals(DenoisedFrame& frame, std::size_t pixel, glm::vec3 const& ch
     }
 }
 
-/// @param same which part of frames around is left out, for each pixel
-void tell(StageAccount& why, std::vector<glm::vec3> const& before, std::vector<glm::vec3> const& after, float trust,
-          std::vector<float> same) {
-    double sum = 0;
-    for (float& part : same) sum += static_cast<double>(part), part = 1.f - trust * (1.f - part);
-    double const left_out = sum / static_cast<double>(std::max<std::size_t>(same.size(), 1)), shared = 1. - static_cast<double>(trust);
-    why.refused(same);
-    StageRow row{"picture", Stage::repeated, why.changed(Stage::repeated, before, after), 1. - (1. - shared) * (1. - left_out)};
-    row.is_broken = row.refused > 0.;
-    if (row.is_broken) row.reason = shared > left_out ? noise_is_shared : noise_is_the_same;
-    why.add(std::move(row));
-}
-
 } // namespace
 
 void PictureRefiner::take_off_noise_of_guides(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
@@ -93,8 +78,7 @@ void PictureRefiner::take_off_noise_of_guides(SeenFrame const& seen, io::Channel
     detail_before.emplace(seen.number, std::move(guides));
 }
 
-std::vector<glm::vec3> PictureRefiner::lacking(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
-                                               metrics::Picture const& picture) const {
+metrics::Picture samples_of_picture(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light) {
     if (!seen.image.has_all(io::planes_of(Channels<Motion>{}, names))) return {};
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     std::vector<bool> is_missing(seen.image.pixels());
@@ -109,25 +93,11 @@ std::vector<glm::vec3> PictureRefiner::lacking(SeenFrame const& seen, io::Channe
     auto samples = composite(seen.image, light, samples_of, not_finite, parts);
     for (std::size_t i = 0; i < is_missing.size(); ++i)
         if (is_missing[i]) samples.pixels[i] = glm::vec3(none);
-    return lacking_of_samples({}, Threads<>{.count = threads}, samples.size, samples.pixels, picture.pixels);
+    return samples;
 }
 
-void PictureRefiner::give_back_repeated(SeenFrame const& seen, io::ChannelNames const& names, std::vector<glm::vec3> here,
-                                        std::vector<glm::vec3> const* next, DenoisedFrame& frame, StageAccount& why) {
-    std::vector<LackingAround> around;
-    auto const add = [&](std::vector<glm::vec3> const& there, auto const& vectors, auto channel) {
-        if (vectors && there.size() == here.size())
-            around.push_back(lacking_moved(Threads<>{.count = threads}, there, (*vectors)[channel].view()));
-    };
-    if (lacking_before && lacking_before->first + 1 == seen.number) add(lacking_before->second, vectors_of<Motion>(seen, names), motion);
-    if (next != nullptr) add(*next, vectors_of<MotionNext>(seen, names), motion_next);
-    auto const given = frame.picture.pixels;
-    std::vector<float> same;
-    float const trust = quell::give_back_repeated({.samples = static_cast<float>(std::max(seen.samples, 1))}, Threads<>{.count = threads},
-                                                  frame.picture.size, here, around, frame.picture.pixels, &same);
-    tell(why, given, frame.picture.pixels, trust, std::move(same));
-    for (std::size_t i = 0; i < given.size(); ++i) add_to_signals(frame, i, frame.picture.pixels[i] - given[i]);
-    lacking_before.emplace(seen.number, std::move(here));
+void change_signals(DenoisedFrame& frame, std::vector<glm::vec3> const& before) {
+    for (std::size_t i = 0; i < before.size(); ++i) add_to_signals(frame, i, frame.picture.pixels[i] - before[i]);
 }
 
 } // namespace quell::examples

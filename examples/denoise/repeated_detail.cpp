@@ -5,7 +5,7 @@
 #include <quell/resolve/box_sums.hpp>
 #include <quell/resolve/gaussian_blur.hpp>
 #include <quell/resolve/moved_image.hpp>
-#include <quell/resolve/picture_residual.hpp>
+#include <quell/resolve/picture_brightness.hpp>
 
 #include <algorithm>
 #include <cmath>

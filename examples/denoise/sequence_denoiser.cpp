@@ -4,9 +4,6 @@
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
-#include <quell/execute/threads.hpp>
-#include <quell/io/frame_image.hpp>
-#include <quell/resolve/residual_feedback.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -28,6 +25,20 @@ public:
     Timed& operator=(Timed const&) = delete;
 };
 
+/// Tells what came back of what frames in a row lack.
+void tell_repeated(StageAccount& why, std::vector<glm::vec3> const& before, std::vector<glm::vec3> const& after,
+                   ResidualLinks::Refusal refusal) {
+    auto& [trust, same] = refusal;
+    double sum = 0;
+    for (float& part : same) sum += static_cast<double>(part), part = 1.f - trust * (1.f - part);
+    double const left_out = sum / static_cast<double>(std::max<std::size_t>(same.size(), 1)), shared = 1. - static_cast<double>(trust);
+    why.refused(same);
+    StageRow row{"picture", Stage::repeated, why.changed(Stage::repeated, before, after), 1. - (1. - shared) * (1. - left_out)};
+    row.is_broken = row.refused > 0.;
+    if (row.is_broken) row.reason = shared > left_out ? noise_is_shared : noise_is_the_same;
+    why.add(std::move(row));
+}
+
 void check_debug_views(Preset const& preset, std::vector<std::string> const& views) {
     if (views.empty()) return;
     if (!preset.watched)
@@ -42,7 +53,8 @@ void check_debug_views(Preset const& preset, std::vector<std::string> const& vie
 
 } // namespace
 
-SequenceDenoiser::SequenceDenoiser(SequenceSettings settings) : frames(std::move(settings)), refiner(frames.settings.threads) {
+SequenceDenoiser::SequenceDenoiser(SequenceSettings settings)
+    : frames(std::move(settings)), refiner(frames.settings.threads), links(frames.settings.threads) {
     check_debug_views(frames.settings.preset, frames.settings.debug_views);
 }
 
@@ -84,7 +96,7 @@ void SequenceDenoiser::release_scratch() {
     for (auto const& each : choices)
         if (each) each->release_scratch();
     if (whole) whole->release_scratch();
-    alpha.release_scratch();
+    alpha.release_scratch(), links.release_scratch();
     if (guides) guides->release_scratch();
     if (upsampler) upsampler->release_scratch();
 }
@@ -102,7 +114,7 @@ void SequenceDenoiser::forget() {
     last.reset();
     current.reset();
     ahead.reset();
-    refiner.forget();
+    refiner.forget(), links.forget();
     film.forget();
 }
 
@@ -145,7 +157,7 @@ double SequenceDenoiser::bytes_per_pixel() const {
         if (choice) sum += static_cast<double>(choice->bytes()) / static_cast<double>(frames.canvas_size().pixels());
     if (guides) sum += guides->bytes_per_pixel();
     if (upsampler) sum += upsampler->bytes_per_pixel();
-    sum += refiner.bytes_per_pixel() + alpha.bytes_per_pixel();
+    sum += refiner.bytes_per_pixel() + links.bytes_per_pixel() + alpha.bytes_per_pixel();
     if (ahead) // its picture, what that lacks, and its signals
         sum +=
             static_cast<double>((2 + ahead->frame.signals.size()) * sizeof(glm::vec3) + (frames.alpha_plane().empty() ? 0 : sizeof(float)));
@@ -249,21 +261,6 @@ void SequenceDenoiser::tell_history(StageAccount& why, std::size_t signal, quell
     why.add(std::move(row));
 }
 
-/// What the filter took out of a signal's light by mistake.
-/// @param shares   how much comes back
-/// @return how far noise was that of single pixels; nothing where the file has no normals or no depth
-std::optional<float> SequenceDenoiser::feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, float count,
-                                                          ResidualFeedbackShares const& shares, metrics::Picture& light) {
-    auto const planes = io::planes_of(Channels<Normal, Depth>{}, names);
-    if (!image.has_all(planes)) return std::nullopt;
-    Frame<Channels<Normal, Depth>> guides(image.size);
-    io::load_channels(Channels<Normal, Depth>{}, guides, image, names);
-    auto const samples = picture_of(image, io::sources_of(names, radiance), std::numeric_limits<float>::quiet_NaN());
-    Timed const timed(other_milliseconds);
-    return quell::feed_back_residual({.samples = count, .shares = shares}, Threads<>{.count = frames.settings.threads}, samples.pixels,
-                                     guides[normal].view(), guides[depth].view(), light.pixels);
-}
-
 DenoisedFrame SequenceDenoiser::next_frame(FramePattern const& in, long long number, bool is_wanted) {
     current.reset();
     bool const is_there = ahead && ahead->seen.number == number;
@@ -327,9 +324,12 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         if (choice != nullptr) tell_history(why, s, *choice, result, factor);
         if (is_refined && against.empty()) {
             auto const count = static_cast<float>(front.samples);
-            auto const shares = ResidualFeedbackShares::of_frame(count, denoiser(s).statistics().frames > 1, choice != nullptr);
+            bool const is_steady = denoiser(s).statistics().frames > 1 && choice == nullptr;
             auto const before = why.before(result.pixels);
-            auto const trust = feed_back_residual(image, channels, count, shares, result);
+            Timed const timed(other_milliseconds);
+            auto const trust = links.feed_back(
+                image, channels, is_steady ? ResidualFeedbackShares::beside_history(count) : ResidualFeedbackShares::of_samples(count),
+                result);
             why.add_feedback(name_of(s), why.changed(Stage::feedback, before, result.pixels, factor.pixels), trust);
         } else if (is_refined)
             why.add({name_of(s), Stage::feedback, 0, 1, against});
@@ -358,7 +358,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     }
     if (frames.settings.is_refined() && front.is_opaque && is_wanted) {
         Timed const timed(other_milliseconds);
-        made.lacking = refiner.lacking(front, frames.guide_names(), split, frame.picture);
+        made.samples = samples_of_picture(front, frames.guide_names(), split);
     }
     if (!frames.alpha_plane().empty()) frame.alpha = denoised_alpha(front, split);
     if (!front.is_opaque) made.shown = shown_from_now_on(window, frames.settings.later_frames, frames.guide_names());
@@ -372,10 +372,17 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
 DenoisedFrame SequenceDenoiser::finished(DenoisedSignals& signals) {
     auto& seen = signals.seen;
     auto& frame = signals.frame;
-    if (!signals.lacking.empty()) {
+    if (!signals.samples.pixels.empty()) {
         Timed const timed(other_milliseconds);
-        auto const* const next = ahead && !ahead->lacking.empty() ? &ahead->lacking : nullptr;
-        refiner.give_back_repeated(seen, frames.guide_names(), std::move(signals.lacking), next, frame, signals.why);
+        auto const& names = frames.guide_names();
+        std::optional<PictureOfSamples> after;
+        if (ahead && !ahead->samples.pixels.empty())
+            after.emplace(PictureOfSamples{ahead->seen.image, names, ahead->samples, ahead->frame.picture});
+        auto const given = frame.picture;
+        auto refusal = links.give_back_repeated({seen.image, names, signals.samples, given}, seen.number, seen.samples,
+                                                after ? &*after : nullptr, frame.picture);
+        tell_repeated(signals.why, given.pixels, frame.picture.pixels, std::move(refusal));
+        change_signals(frame, given.pixels);
     }
     signals.why.finish(frame.picture, frames.settings.is_refined() ? "nothing to do, or the files lack what it wants"
                                                                    : "left out: --quick, or a preset without it");

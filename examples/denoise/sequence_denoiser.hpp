@@ -6,11 +6,12 @@
 #include <denoise/denoiser.hpp>
 #include <denoise/film_alpha.hpp>
 #include <denoise/picture_refiner.hpp>
+#include <denoise/residual_links.hpp>
 #include <denoise/sequence_frames.hpp>
 #include <support/frame_pattern.hpp>
 
+#include <quell/link/residual/residual_feedback_shares.hpp>
 #include <quell/resolve/kept_frames.hpp>
-#include <quell/resolve/residual_feedback_fit.hpp>
 
 #include <array>
 #include <deque>
@@ -86,6 +87,7 @@ private:
     std::array<std::unique_ptr<quell_library::HistoryChoice>, 2> choices;
     std::optional<PictureGuides> guides; ///< where the preset accumulates them; none before the first frame
     PictureRefiner refiner;
+    ResidualLinks links;
     std::unique_ptr<Denoiser> whole;    ///< of the picture beside its signals; null before it was wanted
     std::optional<Upsampler> upsampler; ///< none before it was wanted
     bool was_as_one = false;            ///< whether the last frame was filtered as one picture
@@ -103,9 +105,9 @@ private:
     struct DenoisedSignals {
         SeenFrame seen;
         DenoisedFrame frame;
-        std::vector<glm::vec3> lacking{}; ///< what its picture lacks of its samples; empty where nothing is given back
-        FilmContents shown{};             ///< where a transparent film shows something; empty: the film is opaque
-        long long missing = 0;            ///< samples
+        metrics::Picture samples{}; ///< of its picture; empty where nothing is given back
+        FilmContents shown{};       ///< where a transparent film shows something; empty: the film is opaque
+        long long missing = 0;      ///< samples
         RepairedGuides repaired{};
         std::vector<Finding> found{};
         StageAccount why{};
@@ -127,8 +129,6 @@ private:
     [[nodiscard]] std::string name_of(std::size_t signal) const;
     void tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice, metrics::Picture const& light,
                       metrics::Picture const& factor);
-    [[nodiscard]] std::optional<float> feed_back_residual(io::ExrImage const& image, io::ChannelNames const& names, float samples,
-                                                          ResidualFeedbackShares const& shares, metrics::Picture& light);
     [[nodiscard]] std::vector<float> denoised_alpha(SeenFrame const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;

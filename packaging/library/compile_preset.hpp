@@ -41,7 +41,7 @@ template <class... Ps> struct GuidesOf<quell::Composite<Ps...>> { using type = q
 /// Whether it is a pipeline, with a history, and no composite.
 template <class P> inline constexpr bool has_one_history = false;
 template <quell::ChannelTag S, class... Parts>
-inline constexpr bool has_one_history<quell::Pipeline<S, Parts...>> = quell::Pipeline<S, Parts...>::has_past;
+inline constexpr bool has_one_history<quell::Pipeline<S, Parts...>> = quell::Pipeline<S, Parts...>::has_temporal;
 template <class P> inline constexpr bool is_composite = false;
 template <class... Ps> inline constexpr bool is_composite<quell::Composite<Ps...>> = true;
 
@@ -312,7 +312,7 @@ template <class Signal> inline constexpr bool is_effect = quell::ChannelTag<Sign
 template <class P> inline constexpr bool has_debug_images = false;
 template <quell::ChannelTag S, class... Parts>
 inline constexpr bool has_debug_images<quell::Pipeline<S, Parts...>> =
-    quell::Pipeline<S, Parts...>::has_past&& std::is_same_v<typename quell::Pipeline<S, Parts...>::Signal, S>;
+    quell::Pipeline<S, Parts...>::has_temporal&& std::is_same_v<typename quell::Pipeline<S, Parts...>::Signal, S>;
 
 /// What a pipeline denoises, or the pipelines of a composite.
 template <quell::ChannelTag S, class... Parts> std::vector<SignalOfPreset> signals_of(quell::Pipeline<S, Parts...> const&) {

@@ -11,7 +11,7 @@ namespace quell_library {
 /// What is done then: a sentence before the preset's plan.
 [[nodiscard]] std::string plan_of_given_back();
 
-/// A compiled preset behind which light is given back that its filter took out by mistake (quell::GiveBack). It is compiled once,
+/// A compiled preset behind which light is given back that its filter took out by mistake (quell::light_given_back()). It is compiled once,
 /// not for each preset.
 /// @param denoiser made by the way, with a choice of its history or without
 /// @param way      that can_give_back()
@@ -19,7 +19,7 @@ namespace quell_library {
 /// @param samples  of each pixel
 /// @throws quell::Error, std::bad_alloc
 [[nodiscard]] std::unique_ptr<CompiledDenoiser> with_light_given_back(std::unique_ptr<CompiledDenoiser> denoiser, Way const& way,
-                                                                      bool is_judged, float samples, Parallel const& parallel,
-                                                                      Memory const& memory);
+                                                                      bool is_judged, float samples, quell::Extent size,
+                                                                      Parallel const& parallel, Memory const& memory);
 
 } // namespace quell_library

@@ -63,7 +63,7 @@ public:
         denoiser.run(window, image_of(a));
         use_memory();
         quell::SharedNoise const noise;
-        rule.trust = noise.independence(quell::shared_noise(noise, quell::LightLess{view_of(samples), view_of(a)}));
+        rule.trust = independence(noise, quell::shared_noise(quell::LightLess{view_of(samples), view_of(a)}));
         mix.mix(rule, executor, view_of(a), view_of(alone_with), target_of(output, frame.size));
     }
     bool copy_alone(Image const& output) override { return copy_made(alone_with, output); }

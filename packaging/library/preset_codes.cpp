@@ -121,7 +121,8 @@ PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> cons
                 denoiser = with_history_choice(std::move(denoiser), std::move(choice));
             }
             if (with.give_back != 0)
-                denoiser = with_light_given_back(std::move(denoiser), way, is_judged, static_cast<float>(with.give_back), parallel, memory);
+                denoiser =
+                    with_light_given_back(std::move(denoiser), way, is_judged, static_cast<float>(with.give_back), size, parallel, memory);
             denoiser = put_behind(std::move(denoiser), sizes, parallel, memory);
             if (SteadyChoice const steady{(with.steady_guides & 1) != 0, (with.steady_guides & 2) != 0})
                 denoiser = with_steady_guides(std::move(denoiser), read, steady, size, parallel, memory);

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.22)
 # A header includes its own folder's and those of folders before it in this list, so that whoever reads one needs nothing of what follows.
 # The sub-folders of a folder include each other in one direction only: none of them is in a circle.
-set(order core image execute frame motion blend filter radiance blur pipeline resolve presets shader diagnose metrics io)
+set(order core image execute frame motion blend filter radiance blur pipeline link resolve presets shader diagnose metrics io)
 file(GLOB_RECURSE headers RELATIVE ${ROOT}/quell ${ROOT}/quell/*.hpp ${ROOT}/quell/*.cuh)
 foreach(header ${headers})
     if(NOT header MATCHES "^([a-z]+)/")

@@ -116,7 +116,7 @@ TEST_CASE("the unit of light changes no bit: what stands behind presets") {
                 auto choice = library::make_history_choice(way, of_judge, size, here, {});
                 choice->tell_samples(4.f);
                 auto denoiser = library::with_history_choice(way.make(size, here, {}), std::move(choice));
-                return library::with_light_given_back(std::move(denoiser), way, true, 4.f, here, {});
+                return library::with_light_given_back(std::move(denoiser), way, true, 4.f, size, here, {});
             });
         }
         auto resolved = preset.usual;

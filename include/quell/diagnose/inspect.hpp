@@ -62,7 +62,7 @@ template <class P, ChannelTag C, class Set, class Storage> Lookup lookup_of(Fram
 template <class P, class F, class H> SignalSeen signal_seen(F const& frame, H& history) {
     using Output = typename P::Output;
     auto const& counted = history.statistics();
-    SignalSeen seen{.name = std::string(Output::name), .components = Output::components, .has_past = P::has_past};
+    SignalSeen seen{.name = std::string(Output::name), .components = Output::components, .has_past = P::has_temporal};
     seen.has_stages = std::tuple_size_v<decltype(P::stages)> > 0;
     seen.demodulated = P::reads::template has<Albedo> && Output::components == 3;
     seen.blurs = P::reads::template has<Sweep> || P::reads::template has<Time>;

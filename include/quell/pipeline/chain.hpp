@@ -105,22 +105,23 @@ struct ChainRun {
         // Checked before any denoiser runs: an error must leave all histories at the same frame.
         check_frame<Chain<First, Links...>>(frame);
         auto const made = run(chain.first, frame, history.first, executor);
-        return through<0>(made, chain.links, frame, history.links, executor, into);
+        return through<0>(made, chain.links, frame, history, executor, into);
     }
 
 private:
-    template <std::size_t i, class... Links, class Set, class FrameStorage, class... Histories>
-    static auto through(auto const& made, std::tuple<Links...> const& links, Frame<Set, FrameStorage> const& frame,
-                        std::tuple<Histories...>& histories, auto const& executor, auto const& into) {
+    template <std::size_t i, class... Links, class Set, class FrameStorage>
+    static auto through(auto const& made, std::tuple<Links...> const& links, Frame<Set, FrameStorage> const& frame, auto& histories,
+                        auto const& executor, auto const& into) {
         using Link = std::tuple_element_t<i, std::tuple<Links...>>;
-        auto& history = std::get<i>(histories);
+        auto& history = std::get<i>(histories.links);
+        bool const follows = OpenHistory::frames(histories.first) > 1;
         auto const seen = frame_of<Link>(made, frame, history);
         constexpr auto stages = StageOrder<Link>::count;
         if constexpr (i + 1 == sizeof...(Links))
-            return run_stages<stages>(std::get<i>(links), seen, history, executor, into);
+            return run_stages<stages>(std::get<i>(links), seen, history, executor, into, follows);
         else
-            return through<i + 1>(run_stages<stages>(std::get<i>(links), seen, history, executor, NoTarget{}), links, frame, histories,
-                                  executor, into);
+            return through<i + 1>(run_stages<stages>(std::get<i>(links), seen, history, executor, NoTarget{}, follows), links, frame,
+                                  histories, executor, into);
     }
     template <class Link, class Set, class FrameStorage, class Storage>
     static auto frame_of(auto const& made, Frame<Set, FrameStorage> const& frame, History<Link, Storage> const&) {

@@ -29,6 +29,13 @@ struct OpenHistory {
             return history.pool;
     }
     template <class H> static auto& pool(H& history) { return *shared_pool(history); }
+    /// How many frames in a row it has been given, with the last.
+    template <class H> static long long frames(H const& history) {
+        if constexpr (requires { history.images; })
+            return history.images.counted.frames;
+        else
+            return frames(std::get<0>(history.histories));
+    }
     template <class H> static auto& first(H& chain) { return chain.first; }
     template <std::size_t i, class H> static auto& link(H& chain) { return std::get<i>(chain.links); }
     template <std::size_t i, class H> static auto& of_pipeline(H& composite) { return std::get<i>(composite.histories); }

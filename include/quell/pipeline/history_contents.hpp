@@ -88,7 +88,7 @@ template <class P, class Storage> [[nodiscard]] std::optional<HistoryContents> c
 /// @param contents of a pipeline that keeps and remembers the same channels; its signal may have another number of components
 /// @throws Error naming a channel that they lack
 template <class P, class Storage> void put_contents(History<P, Storage>& history, HistoryContents const& contents) {
-    static_assert(P::has_past, "put_contents(history, contents): the pipeline has no Temporal{...}, so its history remembers nothing");
+    static_assert(P::has_temporal, "put_contents(history, contents): the pipeline has no Temporal{...}, so its history remembers nothing");
     detail::write_contents<P, Storage>(detail::OpenHistory::images(history), contents);
 }
 

@@ -48,7 +48,8 @@ template <class... Cs> constexpr bool all_of_frame_size(Channels<Cs...>) { retur
 template <class Before, class All, class... Stages> inline constexpr bool in_order = true;
 template <class Before, class All, class S, class... Later>
 inline constexpr bool in_order<Before, All, S, Later...> =
-    contained_in<common_to<reads_of<S>, All>, std::conditional_t<is_temporal<S>, Before, decltype(Before{} | emits_of<S>{})>>&&
+    contained_in<common_to<reads_of<S>, All>,
+                 std::conditional_t<is_temporal<S>, Before, decltype(Before{} | keeps_of<S>{} | emits_of<S>{})>>&&
         in_order<decltype(Before{} | keeps_of<S>{} | emits_of<S>{}), All, Later...>;
 
 template <class Element> constexpr auto stage_or_nothing(Element const& element) {
@@ -111,7 +112,9 @@ template <ChannelTag S, class... Elements> struct Pipeline {
     using known_samples = std::conditional_t<(std::is_same_v<KnownSamples, Elements> || ...), KnownSamples::reads, Channels<>>;
     /// What the host's motion vectors mean: see Supplied.
     static constexpr MotionConvention motion_convention = detail::ConventionOf<Elements...>::value;
-    static constexpr bool has_past = (detail::is_temporal<Elements> || ...); ///< whether there is a Temporal
+    static constexpr bool has_temporal = (detail::is_temporal<Elements> || ...); ///< whether there is a Temporal
+    /// Whether frames depend on the one before.
+    static constexpr bool has_past = has_temporal || keeps::size > 0 || remembers::size > 0;
     static constexpr bool needs_camera = (needs_camera_of<Elements> || ...); ///< whether frame.camera must be set
 
     /// The first pass.

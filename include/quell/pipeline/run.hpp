@@ -22,9 +22,10 @@ template <class E> constexpr auto run_list_of() {
 }
 
 /// Runs the first `stages` stages of a pipeline. Returns a view of the output; empty where it went to a target.
+/// @param follows of a link without a past of its own: whether the frame before is part of the picture that it is given
 template <std::size_t stages, class P, class Set, class FrameStorage, class Storage, class E, class Into>
-auto run_stages(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor,
-                Into const& into) {
+auto run_stages(P const& pipeline, Frame<Set, FrameStorage> const& frame, History<P, Storage>& history, E const& executor, Into const& into,
+                bool follows = false) {
     static_assert(QueueExecutor<E> || (reached_by_host<MemoryOf<Storage>>() && reached_by_host<MemoryOf<FrameStorage>>()),
                   "run(pipeline, frame, history, executor): the images lie in the device's memory: give the executor Cuda{stream}");
     check_frame<P>(frame);
@@ -34,7 +35,7 @@ auto run_stages(P const& pipeline, Frame<Set, FrameStorage> const& frame, Histor
         list_passes<stages, FrameStorage, Storage, K>(pipeline, list, !std::is_same_v<Into, NoTarget>);
     });
     TypedByKernel const typed{&pipeline, &frame, &executor, &into, run_list_of<E>(), queue_of<E>()};
-    PassRunner(images, typed, {frame.size, frame.camera, frame.number, frame.shutter, P::needs_camera}).run();
+    PassRunner(images, typed, {frame.size, frame.camera, frame.number, frame.shutter, P::needs_camera, follows}).run();
     return view_in<Storage, typename P::Output>(images.output);
 }
 } // namespace detail
@@ -69,7 +70,7 @@ auto accumulate(P const& pipeline, Frame<Set, FrameStorage> const& frame, Histor
     if constexpr (!contained_in<typename P::reads, Set>)
         return detail::NoOutput{};
     else {
-        static_assert(P::has_past, "accumulate(pipeline, ...): the pipeline has no Temporal{...}, so there is nothing to accumulate");
+        static_assert(P::has_temporal, "accumulate(pipeline, ...): the pipeline has no Temporal{...}, so there is nothing to accumulate");
         return detail::run_stages<detail::StageOrder<P>::up_to_temporal>(pipeline, frame, history, executor, detail::NoTarget{});
     }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <quell/resolve/anti_alias.hpp>
-#include <quell/resolve/picture_residual.hpp>
+#include <quell/resolve/picture_brightness.hpp>
 #include <quell/resolve/window_sums.hpp>
 
 #include <algorithm>

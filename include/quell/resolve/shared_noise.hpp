@@ -1,9 +1,7 @@
 #pragma once
 
-#include <quell/core/light.hpp>
-#include <quell/core/real.hpp>
-#include <quell/core/value.hpp>
 #include <quell/image/image_storage.hpp>
+#include <quell/link/residual/shared_noise.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,22 +11,12 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// How far neighbouring pixels have their noise in common. It is nothing where each pixel has samples of its own. Splatted samples,
-/// pictures that were enlarged or filtered, and samples that pixels hand to each other share it: what is held out there is held out of
-/// nothing.
-///
-/// The measure is the correlation of e(p) and e(q) over neighbours p and q, where e is what samples have more than a picture of them. It is
-/// taken by windows, of rows and of columns whichever is less, since what the picture has wrong neighbours have in
-/// common too. Of all windows it is the quartile from below: some of them have a picture that is right.
-struct SharedNoise {
-    int window = 8;     ///< side of the windows, in pixels
-    float least = .03f; ///< part that noise of single pixels may have by chance and by what a picture has wrong
-    float most = .13f;  ///< part from which on noise is that of several pixels
-
-    /// How far noise may be taken for that of single pixels: 1, and down to 0 where it is shared.
-    /// @param part what shared_noise() said
-    [[nodiscard]] float independence(float part) const { return std::clamp((most - part) / (most - least), 0.f, 1.f); }
-};
+/// How far noise may be taken for that of single pixels: 1, and down to 0 where it is shared.
+/// @param rule the limits
+/// @param part what shared_noise() said
+[[nodiscard]] inline float independence(SharedNoise const& rule, float part) {
+    return std::clamp((rule.most - part) / (rule.most - rule.least), 0.f, 1.f);
+}
 
 /// What samples have more than a picture of them, as a view of three components; not finite where a sample is no light. Of views of four
 /// components the last is alpha, and one component stands for three that are the same.
@@ -52,10 +40,10 @@ template <ImageView Samples, ImageView Picture> LightLess(Samples, Picture) -> L
 /// @endcond
 
 /// Which part of their noise neighbours have in common: about 0 where that is nothing, 1 where it is the same.
-/// @param rule     how
 /// @param residual what samples have more than a picture of them: a view of three components, or a LightLess. What is not finite counts as
 /// 0
-template <class Residual> [[nodiscard]] float shared_noise(SharedNoise const& rule, Residual const& residual) {
+template <class Residual> [[nodiscard]] float shared_noise(Residual const& residual) {
+    constexpr int window_side = 8;
     auto const size = residual.size;
     auto const width = static_cast<std::size_t>(size.width);
     std::vector<float> parts, rows(2 * 3 * width);
@@ -70,7 +58,7 @@ template <class Residual> [[nodiscard]] float shared_noise(SharedNoise const& ru
     struct Sums {
         double here = 0, right = 0, below = 0, square = 0, by_right = 0, by_below = 0;
     };
-    std::vector<std::array<Sums, 3>> windows(width / static_cast<std::size_t>(rule.window) + 1);
+    std::vector<std::array<Sums, 3>> windows(width / static_cast<std::size_t>(window_side) + 1);
     std::vector<double> counts(windows.size(), 0.);
     auto const close = [&] {
         for (std::size_t w = 0; w < windows.size(); ++w) {
@@ -90,7 +78,7 @@ template <class Residual> [[nodiscard]] float shared_noise(SharedNoise const& ru
     for (int y = 0; y + 1 < size.height; ++y) {
         take(y + 1, below);
         for (std::size_t x = 0; x + 1 < width; ++x) {
-            auto const window = x / static_cast<std::size_t>(rule.window);
+            auto const window = x / static_cast<std::size_t>(window_side);
             ++counts[window];
             for (std::size_t c = 0; c < 3; ++c) {
                 auto& sums = windows[window][c];
@@ -101,7 +89,7 @@ template <class Residual> [[nodiscard]] float shared_noise(SharedNoise const& ru
             }
         }
         std::swap(here, below);
-        if ((y + 1) % rule.window == 0) close();
+        if ((y + 1) % window_side == 0) close();
     }
     close();
     if (parts.empty()) return 0.f;

@@ -148,6 +148,7 @@ template <class S> struct Pixel<Recorded, S, 1> {
     Real row_of_lanes() const { return to_real(y); }
     vec2<Real> position() const { return {columns() + 0.5f, row_of_lanes() + 0.5f}; }
     RecordedExtent size() const { return detail::recorded_size(S::fraction); }
+    RecordedExtent frame_size() const { return detail::recorded_size(1); }
     vec2<Real> jitter_now() const { return {detail::uniform(FrameBlock::jitter_word), detail::uniform(FrameBlock::jitter_word + 1)}; }
     vec2<Real> jitter_then() const {
         return {detail::uniform(FrameBlock::jitter_then_word), detail::uniform(FrameBlock::jitter_then_word + 1)};

@@ -132,6 +132,8 @@ template <class R, class S, int rows = 1> struct Pixel {
     QUELL_KERNEL vec2<Real> position() const { return {columns() + 0.5f, row_of_lanes() + 0.5f}; }
     /// The size of the pass, in pixels.
     QUELL_KERNEL Extent size() const { return scope.size; }
+    /// The size of the frame, in pixels.
+    QUELL_KERNEL Extent frame_size() const { return scope.frame_size; }
     /// Offset of this frame's samples from the pixels' centres, in pixels, y down.
     QUELL_KERNEL glm::vec2 jitter_now() const { return scope.jitter; }
     /// The same in the previous frame.

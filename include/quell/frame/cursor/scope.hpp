@@ -50,6 +50,7 @@ struct Scope {
     using mark = detail::MissingMark<detail::keeps_all_bits<SignalView>>; ///< of a missing sample
 
     Extent size;                               ///< of the pass, in pixels
+    Extent frame_size{};                       ///< of the frame
     FrameViews frame;                          ///< the host's channels
     MadeViews made{};                          ///< made by earlier passes
     SignalView signal{};                       ///< being denoised

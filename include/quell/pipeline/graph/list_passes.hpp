@@ -21,7 +21,7 @@ private:
         return n;
     }
     template <std::size_t... before> static constexpr bool marked_behind(std::index_sequence<before...>) {
-        return !(... || (P::has_past ? is_temporal<StageAt<before>> : always_makes_signal<StageAt<before>>));
+        return !(... || (P::has_temporal ? is_temporal<StageAt<before>> : always_makes_signal<StageAt<before>>));
     }
     static constexpr bool last_may_leave_signal() {
         if constexpr (count == 0)
@@ -88,7 +88,7 @@ private:
                           "Spatial{filter}: a pass of a filter that says `leaves_signal` makes the signal: give it emit_channels(px)");
             if constexpr (!Order::template may_be_marked<i>)
                 list.passes.push_back(pass<false>(kernel));
-            else if constexpr (P::has_past || leaves_signal<Stage>)
+            else if constexpr (P::has_temporal || leaves_signal<Stage>)
                 list.passes.push_back(pass<true>(kernel));
             else
                 list.passes.push_back(marked ? pass<true>(kernel) : pass<false>(kernel));
@@ -97,7 +97,7 @@ private:
     }
     /// Writes the output where no stage makes a signal behind the last one.
     constexpr void pass_through() {
-        if constexpr (Order::may_end_without_signal && P::has_past)
+        if constexpr (Order::may_end_without_signal && P::has_temporal)
             list.passes.push_back(pass<false>(PassThrough{}));
         else if constexpr (Order::may_end_without_signal)
             list.passes.push_back(marked ? pass<true>(PassThrough{}) : pass<false>(PassThrough{}));
@@ -115,7 +115,7 @@ private:
                        .reads_signal = !std::is_same_v<Pass, decltype(P::ingest)>,
                        .reads_past_signal = S::reads_past_signal,
                        .makes_signal = K::template makes_signal<Pass>,
-                       .feeds_history = P::has_past && (is_temporal<Pass> || feeds_back(kernel)),
+                       .feeds_history = P::has_temporal && (is_temporal<Pass> || feeds_back(kernel)),
                        .make_job = &K::template make_job<Pass, marks>,
                        .run = &K::template run<Pass, marks>,
                        .job_bytes = sizeof(typename K::template JobOf<Pass, marks>),

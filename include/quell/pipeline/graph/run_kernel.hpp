@@ -95,7 +95,7 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
     template <class Pass, bool marks> static auto job_of(PassArguments const& a, ImageTable const& repaired) {
         using S = ScopeOf<Pass, marks>;
         using Made = decltype(emits_of<Pass>{} | keeps_of<Pass>{});
-        constexpr bool keeps_marks = marks && P::has_past && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
+        constexpr bool keeps_marks = marks && P::has_temporal && !is_temporal<Pass> && !std::is_same_v<Pass, FillHoles>;
         auto const made = a.images.made_out.template views<Storage>(Made{});
         auto const scope = scope_of<S, Pass>(a, repaired);
         auto const end = finish(a, repaired);
@@ -167,9 +167,9 @@ private:
             static_cast<E const*>(a.ingest.typed.executor)
                 ->enqueue_grid(Region{0, 0, size.width, size.height},
                                IngestCompletion<std::remove_const_t<decltype(again)>, std::remove_const_t<decltype(fill)>,
-                                                std::remove_cvref_t<decltype(repairs)>>{repairs, again, fill, fill_back, a.ingest.queued,
-                                                                                        changes_samples ? number_of_guide<Albedo>() : -1,
-                                                                                        size.pixels(), a.ingest.facts.has_past});
+                                                std::remove_cvref_t<decltype(repairs)>>{
+                                   repairs, again, fill, fill_back, a.ingest.queued, changes_samples ? number_of_guide<Albedo>() : -1,
+                                   size.pixels(), a.ingest.facts.has_past && P::has_temporal});
         };
         if constexpr (std::is_void_v<StorageOfCopies<FrameStorage>>)
             enqueue(guide_repairs());
@@ -206,6 +206,7 @@ private:
         auto const& then = a.images.then;
         FrameViews<Set, FrameStorage> const given{frame_in(a.typed), repaired};
         return {.size = divided(facts.size, S::fraction),
+                .frame_size = facts.size,
                 .frame = given.of(typename S::frame_channels{}),
                 .made = a.images.made.template views<Storage>(typename S::made_channels{}),
                 .signal = view_in<Storage, typename P::Signal>(a.images.signal),
@@ -221,7 +222,7 @@ private:
                 .shutter = facts.shutter,
                 .shutter_then = facts.shutter_then,
                 .frame_index = facts.frame_index,
-                .has_past = facts.has_past && then.signal,
+                .has_past = facts.has_past && (then.signal || !P::has_temporal),
                 .vectors = vectors(facts)};
     }
     static Vectors vectors(FrameFacts const& facts) { return {facts.size, facts.jitter, facts.jitter_then}; }

@@ -11,6 +11,7 @@ struct FrameInput {
     std::optional<long long> number;
     float shutter;
     bool needs_camera; ///< whether passes look at the camera
+    bool follows;      ///< whether passes without a past of their own count as behind the frame before
 };
 
 /// Runs one frame through a list of passes: takes images for what each makes, and gives them back behind the last pass that reads them.
@@ -25,7 +26,7 @@ class PassRunner {
 
 public:
     PassRunner(HistoryImages& h, TypedByKernel const& t, FrameInput const& frame) : list(h.passes.list()), history(h), typed(t) {
-        facts.has_past = history.start(frame.size, frame.number);
+        facts.has_past = history.start(frame.size, frame.number) || (frame.follows && !list.has_past);
         auto const& then = history.then;
         auto const& camera_then = facts.has_past ? then.camera : frame.camera;
         facts.size = frame.size;
@@ -71,7 +72,7 @@ private:
         auto& counts = repeat ? again : first;
         history.note(first.guides, counts);
         nothing_seen = counts.missing == facts.size.pixels();
-        if (nothing_seen && facts.has_past) run_pass(list.fill_holes, {.signal = true}, nullptr, 0);
+        if (nothing_seen && history.then.signal) run_pass(list.fill_holes, {.signal = true}, nullptr, 0);
         for (int step = 2; counts.holes > 0 && !nothing_seen; step *= 2)
             counts.holes = 0, run_pass(list.fill_holes, {.signal = true}, &counts, step);
     }

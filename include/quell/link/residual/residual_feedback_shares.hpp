@@ -1,9 +1,6 @@
 #pragma once
 
-#include <quell/core/instruction_set.hpp>
-
-#include <algorithm>
-#include <cmath>
+#include <quell/core/logarithm.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -17,18 +14,11 @@ struct ResidualFeedbackShares {
 
     /// Shares fitted to renders of Cycles of 1 and of 16 samples; in between by the logarithm, as are those of 4.
     /// @param samples of each pixel
-    [[nodiscard]] static ResidualFeedbackShares of_samples(float samples);
+    [[nodiscard]] static constexpr ResidualFeedbackShares of_samples(float samples);
     /// Shares for a picture that was made with its history, whatever samples say of that: where it holds, it is steadier than one frame's
     /// samples. Nothing comes back of single ones, and all that of_samples() says of 16; in between by the logarithm.
     /// @param samples of each pixel
-    [[nodiscard]] static ResidualFeedbackShares beside_history(float samples);
-    /// What is right for a frame: of_samples(), but beside_history() where it was made with one that samples have not judged.
-    /// @param samples   of each pixel
-    /// @param has_past  whether the frame was made with its history
-    /// @param is_judged whether samples chose between history and the frame by itself
-    [[nodiscard]] static ResidualFeedbackShares of_frame(float samples, bool has_past, bool is_judged) {
-        return has_past && !is_judged ? beside_history(samples) : of_samples(samples);
-    }
+    [[nodiscard]] static constexpr ResidualFeedbackShares beside_history(float samples);
     /// Their sum with so many of the others.
     [[nodiscard]] constexpr ResidualFeedbackShares plus(ResidualFeedbackShares const& others, float times) const {
         return {fine_held + others.fine_held * times, wide + others.wide * times, wide_noise + others.wide_noise * times,
@@ -45,15 +35,18 @@ inline constexpr ResidualFeedbackShares feedback_of_16_samples{
 
 namespace detail {
 /// Where a number of samples lies between 1 and 16: 0 to 1.
-inline float between_1_and_16(float samples) { return std::clamp(std::log2(std::max(samples, 1.f)) / 4.f, 0.f, 1.f); }
+constexpr float between_1_and_16(float samples) {
+    constexpr float octaves = .25f * 1.44269504f;
+    return clamp(logarithm(max(samples, 1.f)) * octaves, 0.f, 1.f);
+}
 } // namespace detail
 
-inline ResidualFeedbackShares ResidualFeedbackShares::of_samples(float samples) {
+constexpr ResidualFeedbackShares ResidualFeedbackShares::of_samples(float samples) {
     float const t = detail::between_1_and_16(samples);
     return ResidualFeedbackShares{}.plus(feedback_of_1_sample, 1.f - t).plus(feedback_of_16_samples, t);
 }
 
-inline ResidualFeedbackShares ResidualFeedbackShares::beside_history(float samples) {
+constexpr ResidualFeedbackShares ResidualFeedbackShares::beside_history(float samples) {
     return ResidualFeedbackShares{}.plus(of_samples(samples), detail::between_1_and_16(samples));
 }
 

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <quell/resolve/light_unit.hpp>
+#include <quell/resolve/window_sums.hpp>
+
+#include <vector>
+
+namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// Colours, row by row, in planes.
+/// @param unit of light, in which the planes have them: see light_unit()
+inline Planes<3> in_planes(Extent size, std::vector<glm::vec3> const& colours, float unit = 1.f) {
+    Planes<3> planes(size);
+    auto const view = planes.view();
+    float const per_unit = 1.f / unit;
+    auto from = colours.begin();
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x, ++from)
+            for (int c = 0; c < 3; ++c) view.set(c, x, y, (*from)[c] * per_unit);
+    return planes;
+}
+
+/// The other way round.
+inline void copy_out(PlanesView<3> planes, std::vector<glm::vec3>& colours, float unit = 1.f) {
+    auto to = colours.begin();
+    for (int y = 0; y < planes.size.height; ++y)
+        for (int x = 0; x < planes.size.width; ++x, ++to)
+            for (int c = 0; c < 3; ++c) (*to)[c] = planes.get(c, x, y) * unit;
+}
+
+/// How bright a picture is, whatever its sign. It is in units of its light.
+struct Brightness {
+    Planes<1> of_pixels; ///< 0 where the picture is not finite
+    float mean = 0.f;    ///< of all pixels
+
+    template <Executor E> Brightness(E const& executor, PlanesView<3> picture) : of_pixels(picture.size) {
+        auto const to = of_pixels.view();
+        for_all_pixels(executor, picture.size, [=]<class Real>(AtOnce<Real>, int x, int y, int count) {
+            auto const light = luminance(load_pixels<Real>(picture, x, y));
+            store_pixels<Real>(to, x, y, masked(is_finite(light), abs(light)), count);
+        });
+        double sum = 0.; // row by row, so that it is the same for any number of threads
+        for (int y = 0; y < picture.size.height; ++y)
+            for (int x = 0; x < picture.size.width; ++x) sum += static_cast<double>(to.get(0, x, y));
+        mean = static_cast<float>(sum / static_cast<double>(picture.size.pixels()));
+    }
+    /// A part of the mean brightness, below which pixels are taken for dark; above 0 in a black picture too.
+    [[nodiscard]] float dark(float part) const { return part * mean + 1e-6f; }
+};
+
+/// The light of a picture around each pixel, and a little of that of the whole picture.
+template <Executor E, int most> Planes<1> light_around(E const& executor, WindowSums<most>& sums, Brightness const& brightness) {
+    constexpr int radius = 2;
+    auto const from = brightness.of_pixels.view();
+    auto const size = from.size;
+    Planes<1> light(size);
+    float const dark = brightness.dark(.02f);
+    sums.template around<1>(
+        executor, radius, [=]<class Real>(AtOnce<Real>, int x, int y) { return std::array{load_pixels<Real>(from, x, y)}; },
+        [=, to = light.view()]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
+            store_pixels<Real>(to, x, y, around[0] / pixels_in_square<Real>(x, y, radius, size) + dark, count);
+        });
+    return light;
+}
+
+} // namespace quell::inline QUELL_INSTRUCTION_SET::detail
