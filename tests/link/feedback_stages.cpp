@@ -44,6 +44,17 @@ TEST_CASE("stages: the brightness of a frame is summed over blocks, also of thos
     }
 }
 
+TEST_CASE("stages: sums along rows are of the pixels in the image, and a bright one takes nothing off others") {
+    for (int const radius : {0, 1, 6, 16}) {
+        PassAlone<SumRows<ResidualSquares, ResidualSquaresOfRows>> pass({radius});
+        pass.at(20, 10).set(ResidualSquares{}, {1e12f});
+        pass.run([&](auto const& p) {
+            auto const sum = [&](int c) { return p.sum(radius, 0, [&](auto const& q) { return q.in(ResidualSquares{}, c); }); };
+            p.check(ResidualSquaresOfRows{}, sum(0), sum(1));
+        });
+    }
+}
+
 TEST_CASE("stages: light around a pixel, in units of the frame's brightness, and its logarithms") {
     PassAlone<SumBrightnessOfRows, TakeLight> pass({}, {});
     for (double const unit : {1.5, 1.}) {
@@ -193,6 +204,7 @@ TEST_CASE("stages: what comes back is the share that held-out samples bear out, 
         for (int c = 0; float const each : windows) pass.at(0, 0).set(SharedNoiseSums<whole_frame>{}, {each}, c++);
         pass.each_pixel([](auto const& p) {
             auto const product = static_cast<float>(p.in(LevelProductsOfRows{}));
+            p.set(denoised, {-.05f}); // outside the gamut
             p.set(LevelProductsOfRows{}, {product + (p.x < 16 ? .8f : -.2f), product + 1.1f, product * product});
         });
         double least = 1., most = 0.;
@@ -202,7 +214,8 @@ TEST_CASE("stages: what comes back is the share that held-out samples bear out, 
             double const variance = 2. * sum(2) / (sum(1) * sum(1)),
                          w = std::clamp((sum(0) / sum(1) / variance + 1. / .5) / (1. / variance + 1. / .5), 0., 1.);
             least = std::min(least, w), most = std::max(most, w);
-            p.check(denoised, glm::max(p.colour(denoised) + 1.5 * by * w * p.colour(LevelsGiven{}), .3 * p.colour(denoised)));
+            auto const old = p.colour(denoised);
+            p.check(denoised, glm::max(old + 1.5 * by * w * p.colour(LevelsGiven{}), glm::min(old, .3 * old)));
             p.check(feedback_trust, by);
         });
         CHECK((least < .2 && most > .8));
