@@ -166,6 +166,8 @@ mutant "residual: samples that chose a picture with history" link/residual_feedb
 mutant "residual: a link's frames behind others" link/residual_feedback pipeline/graph/run_passes.hpp '(frame.follows && !list.has_past)' 'false'
 mutant "residual: shares between 1 and 16 samples" link/residual_feedback link/residual/residual_feedback_shares.hpp '.25f * 1.44269504f' '.2f * 1.44269504f'
 mutant "residual: shares beside a history" link/residual_feedback link/residual/residual_feedback_shares.hpp 'plus(of_samples(samples), detail::between_1_and_16(samples))' 'plus(of_samples(samples), 1.f)'
+mutant "residual: how far windows reach" pipeline/list_executor link/residual/residual_feedback.hpp 'farthest_tap() const { return radius; }' 'farthest_tap() const { return 0; }'
+mutant "sums: how far blocks of neighbours reach" pipeline/list_executor link/residual/shared_noise.hpp 'farthest_tap = 1;' 'farthest_tap = 0;'
 mutant "shared noise: the lesser of two directions" link/feedback_stages link/residual/shared_noise.hpp 'min(by_right, by_below)' 'by_right'
 mutant "shared noise: less a window's mean" link/feedback_stages link/residual/shared_noise.hpp 's.by_below - s.here * s.below * per_pixel' 's.by_below'
 mutant "shared noise: windows without noise" link/feedback_stages link/residual/shared_noise.hpp 'square > raw * 1e-5f' 'square >= Real(0.f)'
