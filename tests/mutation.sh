@@ -167,7 +167,6 @@ mutant "residual: a link's frames behind others" link/residual_feedback pipeline
 mutant "residual: shares between 1 and 16 samples" link/residual_feedback link/residual/residual_feedback_shares.hpp '.25f * 1.44269504f' '.2f * 1.44269504f'
 mutant "residual: shares beside a history" link/residual_feedback link/residual/residual_feedback_shares.hpp 'plus(of_samples(samples), detail::between_1_and_16(samples))' 'plus(of_samples(samples), 1.f)'
 mutant "residual: how far windows reach" pipeline/list_executor link/residual/residual_feedback.hpp 'farthest_tap() const { return radius; }' 'farthest_tap() const { return 0; }'
-mutant "sums: how far blocks of neighbours reach" pipeline/list_executor link/residual/shared_noise.hpp 'farthest_tap = 1;' 'farthest_tap = 0;'
 mutant "shared noise: the lesser of two directions" link/feedback_stages link/residual/shared_noise.hpp 'min(by_right, by_below)' 'by_right'
 mutant "shared noise: less a window's mean" link/feedback_stages link/residual/shared_noise.hpp 's.by_below - s.here * s.below * per_pixel' 's.by_below'
 mutant "shared noise: windows without noise" link/feedback_stages link/residual/shared_noise.hpp 'square > raw * 1e-5f' 'square >= Real(0.f)'
@@ -207,6 +206,9 @@ mutant "repeated: what stays of the light" link/repeated_stages link/residual/re
 mutant "repeated: of single samples the finest band" link/repeated_residual link/residual/repeated_residual.hpp 'band == 0 ? 1.f - 1.f / samples : 1.f' '1.f'
 mutant "repeated: of few samples more by chance" link/repeated_residual link/residual/repeated_residual.hpp '1.f + 2.f / few' '1.f + 0.f / few'
 mutant "repeated: the frame after" link/repeated_residual link/residual/repeated_residual.hpp 'if constexpr (has_next) add.template' 'if constexpr (has_next && false) add.template'
+with -O0 -Ipackaging '-DQUELL_TESTED_PRESETS="svgf"'
+mutant "sums: how far blocks of neighbours reach" pipeline/farthest_tap link/residual/shared_noise.hpp 'farthest_tap = 1;' 'farthest_tap = 0;'
+mutant "repeated: how far blurs reach" pipeline/farthest_tap link/residual/residual_bands.hpp 'farthest_tap = BandGaussian::most;' 'farthest_tap = 3;'
 
 with -O1
 # What stands behind a pipeline.

@@ -20,19 +20,21 @@ bool may_run(std::span<ListedPass const> passes, std::vector<int> const& done, s
 /// Runs whichever last pass may run, `rows` rows of the frame at a time.
 struct LastFirst {
     int rows;
-    int* overtaken; ///< how often a pass has run before an earlier one was done
+    int* overtaken;      ///< how often a pass has run before an earlier one was done
+    bool shifts = false; ///< whether the last of them is another one each time
 
     void for_each_pixel(Region region, auto const& job) const { Serial{}.for_each_pixel(region, job); }
     void run_list(std::span<ListedPass const> passes) const {
         std::vector<int> done(passes.size());
-        while (run_one(passes, done)) {
+        for (std::size_t turn = 0; run_one(passes, done, shifts ? turn * 7 : 0); ++turn) {
         }
         for (std::size_t i = 0; i < passes.size(); ++i) REQUIRE(done[i] == passes[i].size.height);
     }
 
 private:
-    bool run_one(std::span<ListedPass const> passes, std::vector<int>& done) const {
-        for (auto i = passes.size(); i-- > 0;) {
+    bool run_one(std::span<ListedPass const> passes, std::vector<int>& done, std::size_t shift) const {
+        for (auto k = passes.size(); k-- > 0;) {
+            auto const i = (k + shift) % passes.size();
             auto const size = passes[i].size;
             int const to = std::min(done[i] + std::max(rows / passes[i].fraction, 1), size.height);
             if (done[i] == size.height || !may_run(passes, done, i, to - 1)) continue;
@@ -52,6 +54,7 @@ template <class P> void check_any_order(P const& denoise) {
     int overtaken = 0;
     CHECK(tests::sequence(denoise, size, LastFirst{.rows = 4, .overtaken = &overtaken}) == in_order);
     CHECK(overtaken > 0);
+    CHECK(tests::sequence(denoise, size, LastFirst{.rows = 2, .overtaken = &overtaken, .shifts = true}) == in_order);
     CHECK(tests::sequence(denoise, size, LastFirst{.rows = 1000, .overtaken = &overtaken}) == in_order);
 }
 
