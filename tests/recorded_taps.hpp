@@ -26,8 +26,8 @@ struct TapRecorder {
     void note(int column, int row, int fraction, int of_pass) {
         int const first[] = {column * fraction, row * fraction}, here[] = {x * of_pass, y * of_pass};
         for (int i = 0; i < 2; ++i) {
-            // Pixels of the frame, from the first to the last that both pixels cover.
-            int const before = here[i] - first[i], behind = first[i] + fraction - here[i] - of_pass;
+            // Rows or columns of the frame from the pixel to the nearest that the other one covers: 0 of a coarse one over it.
+            int const before = here[i] - (first[i] + fraction - 1), behind = first[i] - (here[i] + of_pass - 1);
             farthest = std::max(farthest, (std::max(before, behind) + of_pass - 1) / of_pass);
         }
     }

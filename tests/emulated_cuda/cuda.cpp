@@ -65,6 +65,13 @@ TEST_CASE("a choice of history by evidence is that of Serial") {
     device::check_preset<4>(device::by_serial(4), &graphs);
 }
 
+TEST_CASE("a chain that gives light back is that of Serial") {
+    auto const expected = device::by_serial(5);
+    CudaGraphs graphs;
+    device::check_preset<5>(expected, nullptr);
+    device::check_preset<5>(expected, &graphs);
+}
+
 TEST_CASE("a graph that is run again has the frame's own camera, jitter, number and images") {
     auto const before = device::counts();
     CudaGraphs graphs;

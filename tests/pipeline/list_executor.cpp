@@ -1,5 +1,6 @@
 #include "../frames.hpp"
 
+#include <quell/link/light_given_back.hpp>
 #include <quell/pipeline/plan.hpp>
 #include <quell/presets/effects.hpp>
 #include <quell/presets/general.hpp>
@@ -81,6 +82,7 @@ TEST_CASE("passes by rows and in another order give the same bits") {
     check_any_order(Pipeline{visibility, Spatial{ChangeDetector<StillMotion>{}}, Spatial{Gaussian{}}, Spatial{SaysNothing{}},
                              Temporal{StillMotion{}, ForgetChanged{RunningMean{}}}});
     check_any_order(Pipeline{radiance, Spatial{Halve{}}, Spatial{Gaussian{}}, Spatial{AddCoarse{}}});
+    check_any_order(light_given_back(radiance, 4.f));
     check_any_order(Composite{presets::surface(glossy), presets::atrous(indirect)});
 }
 

@@ -8,7 +8,7 @@ template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
 #include "../images.hpp"
 #include "two_sizes.hpp"
 
-#include <quell/pipeline/chain.hpp>
+#include <quell/link/light_given_back.hpp>
 #include <quell/presets/blur.hpp>
 #include <quell/shader/interpreter.hpp>
 #include <quell/shader/record.hpp>
@@ -149,6 +149,7 @@ TEST_CASE("a host's own policies, which call functions with quell:: before them,
 TEST_CASE("a recorded chain, whose link has a history too, has the bits of Serial") {
     check_sizes(Chain{tests::own_policies, Pipeline{denoised, tests::accumulate, Spatial{tests::EveryFunction{}}}});
 }
+TEST_CASE("a recorded link that gives light back has the bits of Serial") { check_sizes(light_given_back(radiance, 4.f)); }
 TEST_CASE("recorded in half precision it has the bits of Serial with a history in half: general") {
     check_sizes(presets::general(radiance, Demodulate{}), in_halves, Planar<Float16>{});
 }

@@ -23,12 +23,6 @@ struct GaussianTaps {
     }
     /// @param off in pixels, in either direction
     [[nodiscard]] constexpr float operator()(int off) const { return weights[static_cast<std::size_t>(off < 0 ? -off : off)]; }
-    /// What a pixel has of itself in its mean, along rows and columns.
-    [[nodiscard]] constexpr float of_own_pixel() const {
-        float whole = 0.f;
-        for (int i = -radius; i <= radius; ++i) whole += (*this)(i);
-        return weights[0] * weights[0] / (whole * whole);
-    }
 };
 
 /// Means by a Gaussian, over what lies in the image.

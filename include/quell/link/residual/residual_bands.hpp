@@ -53,7 +53,7 @@ struct BandGaussian {
     /// @param deviation in pixels, more than 0, at most 2
     constexpr explicit BandGaussian(float deviation) : radius(most) {
         for (int i = most; i >= 0; --i) {
-            weights[static_cast<std::size_t>(i)] = exp(-.5f * static_cast<float>(i * i) / (deviation * deviation));
+            weights[static_cast<std::size_t>(i)] = decay(.5f * static_cast<float>(i * i) / (deviation * deviation));
             if (static_cast<float>(i) >= 3.f * deviation) radius = i;
         }
     }
@@ -64,6 +64,14 @@ struct BandGaussian {
         float whole = 0.f;
         for (int i = -radius; i <= radius; ++i) whole += (*this)(i);
         return weights[0] * weights[0] / (whole * whole);
+    }
+
+private:
+    /// exp(-a) for 0 to 40. The standard library's exponential is no constant expression.
+    static constexpr float decay(float a) {
+        double term = 1., sum = 1.;
+        for (int i = 1; i < 150; ++i) sum += term *= static_cast<double>(a) / i;
+        return static_cast<float>(1. / sum);
     }
 };
 
@@ -114,7 +122,7 @@ template <Around frame, class Px> QUELL_KERNEL auto blurs_of(Px const& px) {
     using Real = typename Px::Real;
     auto const value = px[Blurs<frame>{}];
     Real const per_unit = frame == Around::now ? 1.f / frame_brightness(px) : Real(1.f);
-    using Line = BlurResidual<frame>::Rows;
+    using Line = typename BlurResidual<frame>::Rows;
     struct Both {
         vec3<Real> finer, wider;
     };
