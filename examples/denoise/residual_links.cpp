@@ -85,7 +85,7 @@ std::optional<float> ResidualLinks::feed_back(io::ExrImage const& image, io::Cha
     io::load_channels(Channels<Normal, Depth>{}, link.frame, image, names);
     link.take(picture_of(image, io::sources_of(names, radiance), none), light);
     link.run({.shares = shares}, threads, light);
-    return link.history[feedback_trust].get(0, 0, 0);
+    return link.history[noise_independence].get(0, 0, 0);
 }
 
 ResidualLinks::Refusal ResidualLinks::give_back_repeated(PictureOfSamples const& here, long long number, int count,

@@ -6,11 +6,12 @@
 #include "take_rows.hpp"
 #include "wrapped_denoiser.hpp"
 
-#include <quell/resolve/evidence_passes.hpp>
-#include <quell/resolve/shared_noise.hpp>
+#include <quell/link/evidence/choose_by_evidence.hpp>
+#include <quell/link/evidence/held_out.hpp>
+#include <quell/pipeline/plan.hpp>
+#include <quell/pipeline/run.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace quell_library {
 
@@ -18,12 +19,20 @@ namespace {
 
 using quell::Extent;
 
+/// The samples that estimates are made of.
+template <int n> struct GivenSamples : quell::Channel<n> { static constexpr auto name = "samples"; };
+
 /// @tparam n components of what comes out; of four the last is alpha
 template <int n> class HistoryChoiceOf final : public HistoryChoice {
-    using OneImage = typename OwnImages::template Image<n>;
-    using View = typename OneImage::View;
-    /// What is made of a frame: each by the preset or its judge, with the history (a) or without (b).
-    enum Made { samples, left_over, a, b, b_with, alone_with, made };
+    using Samples = GivenSamples<n>;
+    using First = quell::FirstEstimate<n>;
+    using Second = quell::SecondEstimate<n>;
+    using Choice = quell::Pipeline<First, quell::Spatial<quell::ChooseByEvidence<Samples, true>>>;
+    /// Without the samples of every second pixel.
+    struct LeftOver : quell::Channel<n> {
+        static constexpr auto name = "left over";
+    };
+    using Images = quell::Frame<quell::union_of<typename Choice::reads, quell::Channels<LeftOver>>, OwnImages>;
 
     std::vector<ReadChannel> const channels, judged_channels;
     std::size_t place, judged_place; ///< of the signal among these
@@ -31,20 +40,23 @@ template <int n> class HistoryChoiceOf final : public HistoryChoice {
     CompiledDenoiser& judging;
     Memory memory;
     OnOwnImages executor;
-    quell::EvidenceMix<CallersMemory> mix;
+    Images images{{1, 1}};
+    quell::History<Choice, OwnImages> history;
     quell::detail::KnownPast past{};
-    std::array<std::optional<OneImage>, made> images{};
     std::vector<FrameImages> judged{};
     float of_each_pixel = 1.f; ///< samples
-    quell::Evidence rule{};
-    bool has_chosen = false; ///< between two estimates of the last frame
+    bool has_chosen = false;   ///< between two estimates of the last frame
+
+    static Choice choice_by(quell::Evidence const& rule) {
+        return Choice{First{}, quell::Spatial{quell::ChooseByEvidence<Samples, true>{rule}}};
+    }
 
 public:
     HistoryChoiceOf(Way const& way, Way const& of_judge, Extent size, Parallel const& parallel, Memory const& m)
         : channels(way.channels), judged_channels(of_judge.channels), place(way.place_of(way.signal).value()),
           judged_place(of_judge.place_of(way.signal).value()), alone(way.make(size, parallel, m)),
           judge(&way != &of_judge ? of_judge.make(size, parallel, m) : nullptr), judging(judge ? *judge : *alone),
-          memory(m), executor{parallel} {}
+          memory(m), executor{parallel}, history(size, choice_by({})) {}
 
     void run(CompiledDenoiser& denoiser, std::span<FrameImages const> window, Image const& output) override {
         auto const& frame = window.front();
@@ -56,59 +68,54 @@ public:
         }
         use_memory();
         take(frame);
-        rule = window.size() > 1 ? quell::Evidence::with_later_frames(of_each_pixel) : quell::Evidence::of_samples(of_each_pixel);
-        by_itself(*alone, window.first(1), alone_with);
+        by_itself(*alone, window.first(1), Second{});
         look_at_samples(window);
         past.drop();
-        denoiser.run(window, image_of(a));
+        denoiser.run(window, image_of(First{}));
         use_memory();
-        quell::SharedNoise const noise;
-        rule.trust = independence(noise, quell::shared_noise(quell::LightLess{view_of(samples), view_of(a)}));
-        mix.mix(rule, executor, view_of(a), view_of(alone_with), target_of(output, frame.size));
+        auto const rule =
+            window.size() > 1 ? quell::Evidence::with_later_frames(of_each_pixel) : quell::Evidence::of_samples(of_each_pixel);
+        run_into(target_of(output, frame.size), choice_by(rule), images, history, executor);
     }
-    bool copy_alone(Image const& output) override { return copy_made(alone_with, output); }
-    bool copy_with_history(Image const& output) override { return copy_made(a, output); }
-    [[nodiscard]] float trust() const override { return has_chosen ? rule.trust : 1.f; }
+    bool copy_alone(Image const& output) override { return copy_made(Second{}, output); }
+    bool copy_with_history(Image const& output) override { return copy_made(First{}, output); }
+    [[nodiscard]] float trust() const override { return has_chosen ? history[quell::noise_independence].get(0, 0, 0) : 1.f; }
     void tell_samples(float count) override { of_each_pixel = count; }
     void release_scratch() override {
         alone->release_scratch();
         if (judge) judge->release_scratch();
-        mix.release();
-        for (auto& each : images) each.reset();
+        history.release();
+        images = Images({1, 1});
         has_chosen = false;
     }
     [[nodiscard]] std::size_t bytes() const override {
-        std::size_t sum = alone->bytes() + (judge ? judge->bytes() : 0) + mix.bytes();
-        for (auto const& each : images) sum += each ? each->bytes() : 0;
+        std::size_t sum = alone->bytes() + (judge ? judge->bytes() : 0) + history.bytes();
+        quell::for_each_channel(typename Images::channels{}, [&](auto channel) { sum += images[channel].bytes(); });
         return sum;
     }
 
 private:
     void use_memory() const { CallersMemory::current() = memory; }
-    [[nodiscard]] auto view_of(Made which) const { return images[which]->view(); }
-    [[nodiscard]] Image image_of(Made which) const { return image_of_view(view_of(which)); }
+    [[nodiscard]] Image image_of(auto channel) const { return image_of_view(images[channel].view()); }
     static HostTarget<n> target_of(Image const& image, Extent size) {
         return {image.data, size, image.component_stride, image.pixel_stride, image.row_stride, image.is_half};
     }
-    template <class To> void copy(View const& from, To const& to, int left_out = -1) const {
-        executor.for_each_pixel({0, 0, to.size.width, to.size.height}, quell::detail::CopyAllBut<View, To>{from, to, left_out});
+    template <class From, class To> void copy(From const& from, To const& to, int held_out = quell::detail::none_held_out) const {
+        executor.for_each_pixel({0, 0, to.size.width, to.size.height}, quell::detail::HoldOut<From, To>{from, to, held_out});
     }
 
-    bool copy_made(Made which, Image const& output) const {
-        if (has_chosen) copy(view_of(which), target_of(output, images[which]->size()));
+    bool copy_made(auto which, Image const& output) const {
+        if (has_chosen) copy(images[which].view(), target_of(output, images.size));
         return has_chosen;
     }
     void take(FrameImages const& frame) {
-        for (auto const which : {samples, left_over, a, b, b_with, alone_with}) {
-            bool const is_wanted = which != b_with || judge;
-            if (is_wanted && !(images[which] && images[which]->size() == frame.size)) images[which].emplace(frame.size);
-        }
-        auto const view = view_of(samples);
+        if (!(images.size == frame.size)) images = Images(frame.size);
+        auto const view = images[Samples{}].view();
         for_each_strip(executor.parallel, frame.size.height, [&](int y0, int y1) {
             take_rows(frame.channels[place], n, view.planes, view.row_stride(), frame.size.width, y0, y1);
         });
     }
-    void by_itself(CompiledDenoiser& denoiser, std::span<FrameImages const> frame, Made to) {
+    void by_itself(CompiledDenoiser& denoiser, std::span<FrameImages const> frame, auto to) {
         denoiser.forget();
         denoiser.run(frame, image_of(to));
     }
@@ -129,17 +136,21 @@ private:
     void look_at_samples(std::span<FrameImages const> window) {
         show_judge(window);
         auto const first = std::span<FrameImages const>(judged).first(1);
-        if (judge) by_itself(*judge, first, b_with);
-        judged.front().channels[judged_place] = image_of(left_over);
-        for (int const left_out : {0, 1}) {
+        using Judged = quell::SecondJudged<n>;
+        if (judge)
+            by_itself(*judge, first, Judged{});
+        else
+            copy(images[Second{}].view(), images[Judged{}].view());
+        judged.front().channels[judged_place] = image_of(LeftOver{});
+        auto const without = [&](int half, auto first_estimate, auto second_estimate) {
             use_memory();
-            copy(view_of(samples), view_of(left_over), left_out);
-            by_itself(judging, first, b);
+            copy(images[Samples{}].view(), images[LeftOver{}].view(), half);
+            by_itself(judging, first, second_estimate);
             judging.learn(past);
-            judging.run(judged, image_of(a));
-            use_memory();
-            mix.judge(rule, executor, left_out, view_of(samples), view_of(a), view_of(b), view_of(judge ? b_with : alone_with));
-        }
+            judging.run(judged, image_of(first_estimate));
+        };
+        without(0, quell::FirstWithoutEven<n>{}, quell::SecondWithoutEven<n>{});
+        without(1, quell::FirstWithoutOdd<n>{}, quell::SecondWithoutOdd<n>{});
     }
 };
 
@@ -171,12 +182,14 @@ CompiledPreset const& judge_of(CompiledPreset const& preset) {
 
 std::string plan_of_choice(Way const& way, Way const& judge) {
     bool const is_own_judge = &way == &judge;
-    int const images = is_own_judge ? 5 : 6, sums = 4;
-    auto const bytes = images * way.output_components * static_cast<int>(sizeof(float)) + sums * static_cast<int>(sizeof(double));
+    constexpr int images = 9;
     return "With its history and without, put together by evidence: each frame is denoised once more by itself, and " +
            std::string(is_own_judge ? "" : "by its judge, general, by itself and ") +
-           "with and without history twice each, with half of the samples left out. That takes " + std::to_string(bytes) +
-           " bytes a pixel, and history and scratch " + (is_own_judge ? "once more" : "once more and of its judge") + ".\n\n";
+           "with and without history twice each, with half of the samples left out. That takes " +
+           std::to_string(images * way.output_components * static_cast<int>(sizeof(float))) + " bytes a pixel, history and scratch " +
+           (is_own_judge ? "once more" : "once more and of its judge") + ", and:\n\n" +
+           to_string(plan_of(quell::Pipeline{quell::FirstEstimate<3>{}, quell::Spatial{quell::ChooseByEvidence<GivenSamples<3>>{}}})) +
+           "\n";
 }
 
 std::unique_ptr<HistoryChoice> make_history_choice(Way const& way, Way const& judge, Extent size, Parallel const& parallel,

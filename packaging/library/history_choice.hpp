@@ -2,7 +2,7 @@
 
 #include "compiled_preset.hpp"
 
-#include <quell/resolve/evidence.hpp>
+#include <quell/link/evidence/evidence.hpp>
 
 namespace quell_library {
 
@@ -39,7 +39,7 @@ public:
     virtual bool copy_alone(Image const& output) = 0;
     /// Copies what the last one is with its whole history, in the same way.
     virtual bool copy_with_history(Image const& output) = 0;
-    /// How far samples of the last one were believed: 1, and less where pixels share their noise (Evidence::trust).
+    /// How far samples of the last one were believed: 1, and less where pixels share their noise.
     [[nodiscard]] virtual float trust() const = 0;
     /// How many samples pixels of the frames that follow have: 1, if nothing is said. A history that has seen later frames is judged by
     /// Evidence::with_later_frames(), another one by Evidence::of_samples().

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <quell/image/held_view.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/run.hpp>
+#include <quell/pipeline/stand_ins.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -17,18 +17,20 @@ template <class P> inline constexpr bool is_link = false;
 template <class... Parts> inline constexpr bool is_link<Pipeline<Denoised, Parts...>> = true;
 } // namespace detail
 
-/// Denoisers one behind the other. The first is a Pipeline or a Composite, each of the others a Pipeline of the channel `denoised`: what
-/// the one before has made, at every pixel. Their policies read the frame's channels too, such as the samples. Used like a Pipeline:
+/// Denoisers one behind the other. The first is a Pipeline, a Composite or a ByEvidence, each of the others a Pipeline of the channel
+/// `denoised`: what the one before has made, at every pixel. Their policies read the frame's channels too, such as the samples. Used like a
+/// Pipeline:
 ///
 ///     constexpr auto denoise = Chain{presets::general(radiance), Pipeline{denoised, Spatial{Sharpen{}}}};
 ///     Frame frame{size, denoise};    History history{size, denoise};    run(denoise, frame, history);
 ///
 /// All have one pool of images. Passes of a link are the same types behind any first denoiser with the same storage.
-/// @tparam First a Pipeline or a Composite of three components
+/// @tparam First a Pipeline, a Composite or a ByEvidence of three components
 /// @tparam Links Pipelines of `denoised`
 template <class First, class... Links> struct Chain {
     static_assert(detail::PlainPipeline<First> && (detail::is_link<Links> && ...) && sizeof...(Links) > 0,
-                  "Chain{first, links...}: the first is a Pipeline or a Composite, each of the others a Pipeline{quell::denoised, ...}");
+                  "Chain{first, links...}: the first is a Pipeline, a Composite or a ByEvidence, each of the others a "
+                  "Pipeline{quell::denoised, ...}");
     static_assert(First::Output::components == 3, "Chain{first, links...}: the first must make a colour, of three components");
     using Output = typename First::Output; ///< channel of the picture
     using reads = decltype(typename First::reads{} |
@@ -87,17 +89,6 @@ private:
 };
 
 namespace detail {
-/// The storage of a link's frame: views of the host's images, and one of what the denoiser before has made.
-template <class FrameStorage, class Storage> struct SeenByLink {
-    using Exact = SeenByLink;
-    using Others = FrameStorage;
-    using Memory = MemoryOf<FrameStorage>;
-    static constexpr bool owns_memory = false;
-    static constexpr auto name = "seen by a link";
-    template <int N> using Image = typename FrameStorage::template Image<N>;
-    template <ChannelTag C> using ImageOf = HeldView<ViewOf<std::conditional_t<std::is_same_v<C, Denoised>, Storage, FrameStorage>, C>>;
-};
-
 struct ChainRun {
     template <class First, class... Links, class Set, class FrameStorage, class Storage, class E, class Into>
     static auto all(Chain<First, Links...> const& chain, Frame<Set, FrameStorage> const& frame,
@@ -123,17 +114,8 @@ private:
             return through<i + 1>(run_stages<stages>(std::get<i>(links), seen, history, executor, NoTarget{}, follows), links, frame,
                                   histories, executor, into);
     }
-    template <class Link, class Set, class FrameStorage, class Storage>
-    static auto frame_of(auto const& made, Frame<Set, FrameStorage> const& frame, History<Link, Storage> const&) {
-        Frame<typename Link::reads, SeenByLink<FrameStorage, Storage>> seen(frame.size);
-        seen.camera = frame.camera, seen.number = frame.number, seen.shutter = frame.shutter;
-        for_each_channel(typename Link::reads{}, [&]<class C>(C c) {
-            if constexpr (std::is_same_v<C, Denoised>)
-                seen[c] = HeldView(made);
-            else
-                seen[c] = HeldView(frame[c].view());
-        });
-        return seen;
+    template <class Link, class Storage> static auto frame_of(auto const& made, auto const& frame, History<Link, Storage> const&) {
+        return with_stand_ins<typename Link::reads, Channels<Denoised>, Storage>(frame, [&](auto) { return made; });
     }
 };
 } // namespace detail

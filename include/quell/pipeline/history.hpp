@@ -18,6 +18,8 @@ namespace detail {
 struct Inspect;
 struct DiagnosisNotes;
 struct ChainRun;
+/// Puts the passes of a denoiser that its histories have run in their last frame among those of a plan.
+template <class P> struct PassesOf;
 /// Access to what a history holds.
 struct OpenHistory {
     template <class H> static auto& images(H& history) { return history.images; }
@@ -25,16 +27,22 @@ struct OpenHistory {
     template <class H> static auto& shared_pool(H& history) {
         if constexpr (requires { history.images; })
             return history.images.pool;
-        else
+        else if constexpr (requires { history.pool; })
             return history.pool;
+        else
+            return shared_pool(history.first);
     }
     template <class H> static auto& pool(H& history) { return *shared_pool(history); }
     /// How many frames in a row it has been given, with the last.
     template <class H> static long long frames(H const& history) {
         if constexpr (requires { history.images; })
             return history.images.counted.frames;
-        else
+        else if constexpr (requires { history.histories; })
             return frames(std::get<0>(history.histories));
+        else if constexpr (requires { history.with; })
+            return frames(history.with);
+        else
+            return frames(history.first);
     }
     template <class H> static auto& first(H& chain) { return chain.first; }
     template <std::size_t i, class H> static auto& link(H& chain) { return std::get<i>(chain.links); }
@@ -51,11 +59,12 @@ std::false_type a_pipeline(void const*);
 template <class... Parts> std::true_type has_stages(Pipeline<Parts...> const*);
 template <class... Ps> std::true_type has_stages(Composite<Ps...> const*);
 template <class... Ps> std::true_type has_stages(Chain<Ps...> const*);
+template <class P, class Judge> std::true_type has_stages(ByEvidence<P, Judge> const*);
 std::false_type has_stages(void const*);
 template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
 std::false_type a_history(void const*);
 template <class T> inline constexpr bool is_pipeline = decltype(a_pipeline(static_cast<T const*>(nullptr)))::value;
-/// A Pipeline, a Composite or a Chain, and nothing that stands behind one.
+/// A denoiser whose passes a plan lists: a Pipeline, a Composite, a ByEvidence or a Chain.
 template <class T>
 concept PlainPipeline = decltype(has_stages(static_cast<T const*>(nullptr)))::value;
 template <class T> inline constexpr bool is_history = decltype(a_history(static_cast<T const*>(nullptr)))::value;

@@ -76,32 +76,36 @@ inline void append_passes(std::vector<PlannedPass>& passes, PassList const& list
         passes.push_back(std::move(made));
     }
 }
-template <ChannelTag S, class... Parts, class H>
-void append_passes_of(std::vector<PlannedPass>& passes, Pipeline<S, Parts...> const&, H& history) {
-    append_passes(passes, OpenHistory::images(history).passes.list(), S::name);
-}
-template <class... Ps, class H> void append_passes_of(std::vector<PlannedPass>& passes, Composite<Ps...> const& composite, H& history) {
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-        (append_passes_of(passes, std::get<i>(composite.pipelines), OpenHistory::of_pipeline<i>(history)), ...);
+template <ChannelTag S, class... Parts> struct PassesOf<Pipeline<S, Parts...>> {
+    static void append(auto& passes, Pipeline<S, Parts...> const&, auto& history) {
+        append_passes(passes, OpenHistory::images(history).passes.list(), S::name);
     }
-    (std::index_sequence_for<Ps...>{});
-    PlannedPass sum{.name = "composite"};
-    (add(sum.reads, Ps::Output::name), ...);
-    add(sum.reads, ChannelIds(typename Composite<Ps...>::factors{})), add(sum.writes, "output");
-    passes.push_back(std::move(sum));
-}
-template <class First, class... Links, class H>
-void append_passes_of(std::vector<PlannedPass>& passes, Chain<First, Links...> const& chain, H& history) {
-    append_passes_of(passes, chain.first, OpenHistory::first(history));
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-        (append_passes_of(passes, std::get<i>(chain.links), OpenHistory::link<i>(history)), ...);
+};
+template <class... Ps> struct PassesOf<Composite<Ps...>> {
+    static void append(auto& passes, Composite<Ps...> const& composite, auto& history) {
+        [&]<std::size_t... i>(std::index_sequence<i...>) {
+            (PassesOf<Ps>::append(passes, std::get<i>(composite.pipelines), OpenHistory::of_pipeline<i>(history)), ...);
+        }
+        (std::index_sequence_for<Ps...>{});
+        PlannedPass sum{.name = "composite"};
+        (add(sum.reads, Ps::Output::name), ...);
+        add(sum.reads, ChannelIds(typename Composite<Ps...>::factors{})), add(sum.writes, "output");
+        passes.push_back(std::move(sum));
     }
-    (std::index_sequence_for<Links...>{});
-}
+};
+template <class First, class... Links> struct PassesOf<Chain<First, Links...>> {
+    static void append(auto& passes, Chain<First, Links...> const& chain, auto& history) {
+        PassesOf<First>::append(passes, chain.first, OpenHistory::first(history));
+        [&]<std::size_t... i>(std::index_sequence<i...>) {
+            (PassesOf<Links>::append(passes, std::get<i>(chain.links), OpenHistory::link<i>(history)), ...);
+        }
+        (std::index_sequence_for<Links...>{});
+    }
+};
 } // namespace detail
 
-/// The plan of a pipeline, composite or chain: the passes in order, what each reads and writes, and the memory. No pixel is computed.
-/// @param pipeline a Pipeline, a Composite or a Chain
+/// The plan of a denoiser: the passes in order, what each reads and writes, and the memory. No pixel is computed.
+/// @param pipeline a Pipeline, a Composite, a ByEvidence or a Chain
 /// @param storage  of the history
 template <detail::PlainPipeline P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
     // Large enough that padding hardly counts.
@@ -111,14 +115,14 @@ template <detail::PlainPipeline P, ImageStorage Storage = Planar<>> Plan plan_of
     History<P, Storage> history{size, pipeline, storage};
     for (int i = 0; i < 2; ++i) run(pipeline, frame, history, detail::NoWork{});
     Plan plan;
-    detail::append_passes_of(plan.passes, pipeline, history);
+    detail::PassesOf<P>::append(plan.passes, pipeline, history);
     plan.bytes_per_pixel = history.bytes_per_pixel();
     return plan;
 }
 /// @cond
 template <class P, class... Storage> Plan plan_of(P const&, Storage const&...) {
     static_assert(detail::PlainPipeline<P>,
-                  "plan_of(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() "
+                  "plan_of(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() "
                   "and resolve() give it their member `pipeline`");
     return {};
 }

@@ -38,7 +38,7 @@ template <class First, class... Links> [[nodiscard]] constexpr int warm_up_frame
 template <class P> [[nodiscard]] constexpr int warm_up_frames(P const&) {
     static_assert(
         detail::PlainPipeline<P>,
-        "warm_up_frames(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and resolve() give it "
+        "warm_up_frames(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() and resolve() give it "
         "their member `pipeline`");
     return 0;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/resolve/by_evidence.hpp>
+#include <quell/link/evidence/by_evidence.hpp>
 
 /// Opt-in: not in quell.hpp.
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {

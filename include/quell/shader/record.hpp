@@ -69,10 +69,10 @@ private:
 };
 } // namespace detail
 
-/// Records a Pipeline, a Composite or a Chain: runs the kernel of each of its passes once, over numbers that remember what is done to them.
+/// Records a Pipeline, a Composite, a ByEvidence or a Chain: runs the kernel of each of its passes once, over numbers that remember what is done to them.
 /// No pixel is computed. Policies need no line for it; what cannot be recorded, such as a branch on what is computed of a pixel, is one
 /// sentence at compile time.
-/// @param pipeline a Pipeline, a Composite or a Chain
+/// @param pipeline a Pipeline, a Composite, a ByEvidence or a Chain
 /// @param name     what the plan is called
 /// @param options  what is added to its passes
 /// @throws Failure where passes differ from frame to frame
@@ -109,7 +109,7 @@ ShaderPlan record(P const& pipeline, std::string_view name = "pipeline", RecordO
 /// @cond
 template <class P> ShaderPlan record(P const&, std::string_view = {}, RecordOptions const& = {}) {
     static_assert(detail::PlainPipeline<P>,
-                  "record(pipeline): it takes a Pipeline, a Composite or a Chain; of by_evidence(), anti_aliased() and "
+                  "record(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() and "
                   "resolve() give it their member `pipeline`");
     return {};
 }

@@ -1,8 +1,8 @@
 // error: ByEvidence{pipeline, judge, rule}: the first must be a Pipeline with a Temporal{...}
 // error: ByEvidence{pipeline, judge, rule}: the judge goes on from the pipeline's history
-// error: run(choice, frame, ...): the frame lacks a channel that the pipeline or its judge reads
-// error: run_into(target, choice, frame, ...): the frame lacks a channel that the pipeline or its judge reads
-// error: run_into(target, choice, frame, ...): the target has another number of components than the pipeline's signal
+// error: run(by_evidence, frame, ...): the frame lacks a channel that the pipeline or its judge reads
+// error: run_into(target, by_evidence, frame, ...): the frame lacks a channel that the pipeline or its judge reads
+// error: run_into(target, by_evidence, frame, ...): the target has another number of components than the pipeline's signal
 #include <quell/presets/by_evidence.hpp>
 #include <quell/quell.hpp>
 using namespace quell;

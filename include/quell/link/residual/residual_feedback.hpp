@@ -8,13 +8,6 @@
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// Of ResidualFeedback: how far noise was taken for that of single pixels, from 0, where nothing is added, to 1. The same everywhere.
-struct FeedbackTrust : InternalChannel<1> {
-    static constexpr auto name = "feedback_trust"; ///< of the channel
-    static constexpr bool full_precision = true;   ///< never half
-};
-inline constexpr FeedbackTrust feedback_trust; ///< of a history
-
 namespace detail {
 
 /// The finest band of the residual: of a pixel's samples, and of the checkerboard's other half.
@@ -193,7 +186,7 @@ template <bool reports> struct AddLevels {
     static constexpr auto name = "residual feedback";
     using reads =
         union_of<Channels<LevelsGiven, LevelProductsOfRows>, FrameBrightness::whole, typename FindSharedNoise<SampleResidual>::whole>;
-    using keeps = std::conditional_t<reports, Channels<FeedbackTrust>, Channels<>>;
+    using keeps = std::conditional_t<reports, Channels<NoiseIndependence>, Channels<>>;
     int radius;
     float variance, darkest;
 
@@ -209,7 +202,7 @@ template <bool reports> struct AddLevels {
         auto const made =
             map([&](Real a, Real b) QUELL_INLINED { return max(fma(b, w, a), min(a, a * darkest)); }, px.signal(), px[LevelsGiven{}]);
         if constexpr (reports)
-            return Result{made}.with(FeedbackTrust{}, trust);
+            return Result{made}.with(NoiseIndependence{}, trust);
         else
             return made;
     }
@@ -232,7 +225,7 @@ template <bool reports> struct AddLevels {
 /// what the levels give and H the same of held-out samples, w = sum r H / sum A^2 over a window. Before any sample is seen, w is 1 with
 /// variance `held_variance`; sum r H has the variance 2 sum (r H)^2; w is the mean after both, from 0 to 1.
 /// @tparam Samples the channel of three components that the picture was made of, linear
-/// @tparam reports whether the history keeps feedback_trust
+/// @tparam reports whether the history keeps noise_independence
 template <ChannelTag Samples = Radiance, bool reports = false> struct ResidualFeedback {
     float samples = 1.f;    ///< of each pixel; shares lie between those of 1 and of 16
     bool is_judged = false; ///< whether samples have chosen, for each pixel, between a picture with history and one without

@@ -18,6 +18,13 @@ struct SharedNoise {
     float most = .13f;  ///< part from which on noise is that of several pixels
 };
 
+/// How far noise was taken for that of single pixels, from 0 to 1; the same everywhere. Policies that ask for it keep it where they report.
+struct NoiseIndependence : InternalChannel<1> {
+    static constexpr auto name = "noise_independence"; ///< of the channel
+    static constexpr bool full_precision = true;       ///< never half
+};
+inline constexpr NoiseIndependence noise_independence; ///< of a history
+
 namespace detail {
 
 /// Over windows of the frame: how many have a part of shared noise that is less than `least`, less than the middle, and less than `most`;

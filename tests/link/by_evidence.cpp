@@ -1,6 +1,9 @@
 #include "../frames.hpp"
 #include "../threads.hpp"
 
+#include <quell/pipeline/chain.hpp>
+#include <quell/pipeline/plan.hpp>
+#include <quell/pipeline/warm_up.hpp>
 #include <quell/presets/anti_aliased.hpp>
 #include <quell/presets/by_evidence.hpp>
 
@@ -75,17 +78,13 @@ TEST_CASE("by evidence: constant light stays as it is") {
         tests::fill_still(frame);
         tests::fill(frame[radiance], [](int, int) { return glm::vec3(.25f, .5f, .75f); });
         auto const picture = run(denoise, frame, history);
-        CHECK(history.has_chosen() == (i > 0));
         for (int c = 0; c < 3; ++c) CHECK(picture.get(c, 11, 7) == doctest::Approx(.25 * (c + 1)).epsilon(1e-5));
     }
     CHECK(history.statistics().frames == 4);
     CHECK(history.statistics().resets == 1);
     history.forget();
     run(denoise, frame, history);
-    CHECK(!history.has_chosen());
-    frame.number = 7, run(denoise, frame, history);
-    frame.number = 9, run(denoise, frame, history);
-    CHECK(!history.has_chosen());
+    CHECK(history.statistics().frames == 1);
 }
 
 TEST_CASE("by evidence: what is sure beforehand is one of the two, whose history nothing has changed") {
@@ -168,4 +167,25 @@ TEST_CASE("by evidence: colours are anti-aliased behind it") {
         });
     };
     CHECK(tests::difference(constant(smooth), constant(plain)) < 1e-5);
+}
+
+TEST_CASE("by evidence: its plan lists what is run, in as many bytes as the history takes; a chain goes on from it") {
+    auto const plan = plan_of(denoise);
+    auto const of_pipeline = plan_of(accumulate_light).passes.size(), of_choice = plan_of(denoise.choice).passes.size();
+    CHECK(plan.passes.size() == 6 * of_pipeline + of_choice);
+    CHECK(plan_of(presets::by_evidence(accumulate_light, Evidence{.halves = 1})).passes.size() == 4 * of_pipeline + of_choice);
+    auto const of_cheaper = plan_of(cheaper).passes.size();
+    CHECK(plan_of(presets::by_evidence(accumulate_light, cheaper)).passes.size() == 2 * of_pipeline + 4 * of_cheaper + of_choice);
+    CHECK(warm_up_frames(denoise) == warm_up_frames(accumulate_light));
+    constexpr Extent wide{1024, 16};
+    Frame frame{wide, denoise};
+    History history{wide, denoise};
+    for (unsigned i = 0; i < 3; ++i) tests::fill_randomly(frame, i), run(denoise, frame, history);
+    CHECK(history.bytes_per_pixel() == doctest::Approx(plan.bytes_per_pixel));
+    constexpr auto chain = Chain{denoise, Pipeline{denoised, Spatial{Atrous<>{.levels = 1}}}};
+    constexpr auto behind = Chain{accumulate_light, Pipeline{denoised, Spatial{Atrous<>{.levels = 1}}}};
+    auto const of = [](auto const& pipeline) { return tests::sequence(pipeline, {37, 23}, Simd{}); };
+    CHECK(tests::difference(of(chain), of(behind)) > 1e-3);
+    constexpr auto sure = presets::by_evidence(accumulate_light, Evidence{.at_first = 1.f, .spread = 1e-12f});
+    CHECK(tests::difference(of(Chain{sure, Pipeline{denoised, Spatial{Atrous<>{.levels = 1}}}}), of(behind)) < 1e-5);
 }
