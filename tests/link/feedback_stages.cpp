@@ -216,7 +216,7 @@ TEST_CASE("stages: what comes back is the share that held-out samples bear out, 
             least = std::min(least, w), most = std::max(most, w);
             auto const old = p.colour(denoised);
             p.check(denoised, glm::max(old + 1.5 * by * w * p.colour(LevelsGiven{}), glm::min(old, .3 * old)));
-            p.check(feedback_trust, by);
+            p.check(noise_independence, by);
         });
         CHECK((least < .2 && most > .8));
     }
