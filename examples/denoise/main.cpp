@@ -101,6 +101,13 @@ void print_upsampling(DenoiseOptions const& options) {
     std::cout << '\n';
 }
 
+/// Whether more is done to pictures than a preset does.
+bool refines(DenoiseOptions const& options, Preset const& preset) {
+    return !options.quick && (preset.name == "final-frame" || preset.name == "general") && options.device == "cpu";
+}
+/// Whether each signal's light is then put together with its history and without.
+bool chooses_history(Preset const& preset) { return preset.name == "final-frame"; }
+
 void print_plan(DenoiseOptions const& options) {
     auto const choose = [&] {
         if (!options.preset.empty()) return &preset_of(options.preset);
@@ -109,7 +116,12 @@ void print_plan(DenoiseOptions const& options) {
         return SequenceViews(options.map, {first}).choose(nullptr, options.signal, first).preset;
     };
     auto const& preset = *choose();
-    std::cout << preset.name << "\n\n" << way_of(preset).plan();
+    auto const& way = way_of(preset);
+    std::cout << preset.name << "\n\n";
+    if (refines(options, preset) && chooses_history(preset))
+        std::cout << quell_library::plan_of_choice(way, way_of(quell_library::judge_of(preset)));
+    std::cout << way.plan();
+    if (refines(options, preset)) std::cout << plans_of_residual_links();
     if (options.upsample) print_upsampling(options);
 }
 
@@ -226,8 +238,8 @@ private:
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
                 .anti_aliases = !options.quick,
-                .refines = refines(),
-                .chooses_history = choice.preset->name == "final-frame",
+                .refines = refines(options, *choice.preset),
+                .chooses_history = chooses_history(*choice.preset),
                 .accounts = options.why,
                 .diagnose = options.diagnose,
                 .upsampling = upsampling,
@@ -258,13 +270,9 @@ private:
         }
     }
     /// Whether pictures of frames take part in those after them, beside their history.
-    [[nodiscard]] bool refines() const {
-        bool const is_one_of_two = choice.preset->name == "final-frame" || choice.preset->name == "general";
-        return !options.quick && is_one_of_two && options.device == "cpu";
-    }
     /// How many frames before one have pictures that take part in its own.
     [[nodiscard]] int frames_in_full() const {
-        return (upsampling && upsampling->resolves() ? frames_of_upsampling : 0) + (refines() ? 1 : 0);
+        return (upsampling && upsampling->resolves() ? frames_of_upsampling : 0) + (refines(options, *choice.preset) ? 1 : 0);
     }
     /// Whether one of the next steps writes a frame that the picture of the one before it takes part in.
     [[nodiscard]] bool is_wanted_in_full(std::vector<Step> const& steps, std::size_t next) const {

@@ -6,6 +6,7 @@
 #include <quell/link/residual/repeated_residual.hpp>
 #include <quell/link/residual/residual_feedback.hpp>
 #include <quell/pipeline/chain.hpp>
+#include <quell/pipeline/plan.hpp>
 
 #include <limits>
 
@@ -125,6 +126,12 @@ void ResidualLinks::release_scratch() {
 double ResidualLinks::bytes_per_pixel() const {
     auto const of = [](auto const& link) { return link ? link->bytes_per_pixel() : 0.; };
     return of(feedback) + of(alone) + of(with_next) + of(next);
+}
+
+std::string plans_of_residual_links() {
+    auto const plan = [](auto const& policy) { return to_string(plan_of(Pipeline{denoised, Spatial{policy}})); };
+    return "\nresidual feedback, behind each signal\n\n" + plan(ResidualFeedback<Radiance, true>{}) +
+           "\nrepeated residual, behind the picture\n\n" + plan(RepeatedResidual<Radiance, true, true>{});
 }
 
 } // namespace quell::examples

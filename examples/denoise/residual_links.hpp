@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace quell::examples {
@@ -60,5 +61,8 @@ public:
     void release_scratch(); ///< all memory but what is remembered
     [[nodiscard]] double bytes_per_pixel() const;
 };
+
+/// The plans of its links, under a line each.
+[[nodiscard]] std::string plans_of_residual_links();
 
 } // namespace quell::examples

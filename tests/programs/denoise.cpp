@@ -271,7 +271,11 @@ TEST_CASE("--plan shows the passes of a preset, named or suited to the files, an
     CHECK(contains(svgf.out, "bytes a pixel"));
     Folder const folder;
     write_sequence(folder, 1, 2);
-    CHECK(contains(denoise("--plan " + input(folder)).out, "final-frame"));
+    auto const best = denoise("--plan " + input(folder)), quick = denoise("--plan --quick " + input(folder));
+    for (char const* const all : {"final-frame", "| mix by evidence |", "| residual feedback |", "| repeated residual |"})
+        CHECK(contains(best.out, all));
+    CHECK(contains(quick.out, "final-frame"));
+    CHECK_FALSE(contains(quick.out, "residual"));
     CHECK(contains(denoise("--plan").err, "neither --preset nor --in is there"));
 }
 

@@ -26,7 +26,7 @@ template <class P> quell::Plan device_plan_of(P const& pipeline) {
     quell::History history{size, pipeline};
     for (int i = 0; i < 3; ++i) run(pipeline, frame, history, NoQueue{});
     quell::Plan plan;
-    quell::detail::append_passes_of(plan.passes, pipeline, history);
+    quell::detail::PassesOf<P>::append(plan.passes, pipeline, history);
     plan.bytes_per_pixel = history.bytes_per_pixel();
     return plan;
 }
