@@ -10,6 +10,7 @@ template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
 
 #include <quell/link/light_given_back.hpp>
 #include <quell/presets/blur.hpp>
+#include <quell/presets/by_evidence.hpp>
 #include <quell/shader/interpreter.hpp>
 #include <quell/shader/record.hpp>
 #include <quell/shader/write_plan.hpp>
@@ -150,6 +151,9 @@ TEST_CASE("a recorded chain, whose link has a history too, has the bits of Seria
     check_sizes(Chain{tests::own_policies, Pipeline{denoised, tests::accumulate, Spatial{tests::EveryFunction{}}}});
 }
 TEST_CASE("a recorded link that gives light back has the bits of Serial") { check_sizes(light_given_back(radiance, 4.f)); }
+TEST_CASE("a recorded choice between history and the frame alone has the bits of Serial") {
+    check_sizes(presets::by_evidence(Pipeline{radiance, tests::accumulate, Spatial{Atrous<>{.levels = 1}}}));
+}
 TEST_CASE("recorded in half precision it has the bits of Serial with a history in half: general") {
     check_sizes(presets::general(radiance, Demodulate{}), in_halves, Planar<Float16>{});
 }

@@ -13,7 +13,7 @@ inline constexpr int none_held_out = -1; ///< of HoldOut::half
 template <class From, class To> struct HoldOut {
     static constexpr auto name = "hold samples out";
     From from;
-    To to;
+    To output;
     int half; ///< of a checkerboard that is held out: pixels whose x + y is even (0) or odd (1); or none
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, Coordinate<Real> x, Coordinate<Real> y, int count) const {
@@ -21,7 +21,7 @@ template <class From, class To> struct HoldOut {
         auto const off = sum - 2.f * floor(sum * .5f) - static_cast<float>(half);
         auto const is_held = off * off < Real(.25f);
         auto const held = [&](Real value) QUELL_INLINED { return select(is_held, Real(std::numeric_limits<float>::quiet_NaN()), value); };
-        store_pixels<Real>(to, x, y, map(held, load_pixels<Real>(from, x, y)), count);
+        store_pixels<Real>(output, x, y, map(held, load_pixels<Real>(from, x, y)), count);
     }
 
 private:
