@@ -41,7 +41,7 @@ template <ChannelTag From, ChannelTag To, bool keeps_it> struct Copy {
 /// A storage that says 7 of columns beside an image.
 struct Sevens {
     using Exact = Sevens;
-    template <int N> struct Image {
+    template <int N> struct Image : Planar<>::Image<N> {
         struct View {
             static constexpr int components = N;
             typename Planar<>::Image<N>::View inner;
@@ -49,10 +49,8 @@ struct Sevens {
             [[nodiscard]] float get(int c, int x, int y) const { return x < 0 || x >= inner.size.width ? 7.f : inner.get(c, x, y); }
             void set(int c, int x, int y, float a) const { inner.set(c, x, y, a); }
         };
-        Planar<>::Image<N> inner;
-        explicit Image(Extent size) : inner(size) {}
-        [[nodiscard]] View view() const { return {inner.view(), inner.view().size}; }
-        [[nodiscard]] std::size_t bytes() const { return inner.bytes(); }
+        using Planar<>::Image<N>::Image;
+        [[nodiscard]] View view() const { return {Planar<>::Image<N>::view(), Planar<>::Image<N>::view().size}; }
     };
 };
 

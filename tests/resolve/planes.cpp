@@ -3,7 +3,6 @@
 #include <quell/resolve/gaussian_blur.hpp>
 #include <quell/resolve/moved_image.hpp>
 #include <quell/resolve/picture_brightness.hpp>
-#include <quell/resolve/window_sums.hpp>
 
 #include <glm/geometric.hpp>
 
@@ -17,16 +16,14 @@ using namespace quell::detail;
 using Triple = glm::dvec3;
 constexpr Extent size{37, 23};
 
-template <int n> Planes<n> random_planes(float most) {
-    std::mt19937 random(3);
+Planes<3> random_planes(unsigned seed, float most) {
+    std::mt19937 random(seed);
     std::uniform_real_distribution<float> number(-most, most);
-    Planes<n> image(size);
-    for (int i = 0; i < n * size.pixels(); ++i) image.view().set(i % n, i / n % size.width, i / n / size.width, number(random));
+    Planes<3> image(size);
+    for (int i = 0; i < 3 * size.pixels(); ++i) image.view().set(i % 3, i / 3 % size.width, i / 3 / size.width, number(random));
     return image;
 }
-template <int n> double at(Planes<n> const& image, int x, int y, int c) { return static_cast<double>(image.view().get(c, x, y)); }
-Triple colour(Planes<3> const& image, int x, int y) { return {at(image, x, y, 0), at(image, x, y, 1), at(image, x, y, 2)}; }
-
+Triple at(Planes<3> const& image, int x, int y) { return {image.get(0, x, y), image.get(1, x, y), image.get(2, x, y)}; }
 /// The sum over the pixels of a square that lie in the image.
 auto sum_around(int x, int y, int radius, auto const& f) {
     auto sum = 0. * f(x, y);
@@ -34,65 +31,59 @@ auto sum_around(int x, int y, int radius, auto const& f) {
         for (int i = std::max(x - radius, 0); i <= std::min(x + radius, size.width - 1); ++i) sum += f(i, j);
     return sum;
 }
-void check(auto const& f) {
+/// @param off by how much a pixel is, off(x, y)
+void check(auto const& off) {
     double worst = 0.;
-    for (int i = 0; i < size.pixels(); ++i) {
-        double const off = f(i % size.width, i / size.width);
-        worst = off <= worst ? worst : off;
-    }
+    for (int i = 0; i < size.pixels(); ++i)
+        if (double const its = off(i % size.width, i / size.width); !(its <= worst)) worst = its;
     CHECK(worst < 1e-4);
 }
 
 } // namespace
 
 TEST_CASE("a Gaussian's mean is that of the pixels in the image, to three deviations") {
-    auto const image = random_planes<3>(1.f);
-    for (float const deviation : {.7f, 2.f}) {
+    auto const image = random_planes(3, 1.f);
+    for (auto const& [deviation, radius] : {std::pair{.7f, 3}, std::pair{2.f, 6}}) {
         auto const made = blurred(Simd{}, image.view(), deviation);
-        auto const squared = static_cast<double>(deviation) * static_cast<double>(deviation);
-        check([&](int x, int y) {
+        check([&, most = radius, squared = std::pow(static_cast<double>(deviation), 2.)](int x, int y) {
             auto const weight = [&](int i, int j) { return std::exp(-.5 * ((i - x) * (i - x) + (j - y) * (j - y)) / squared); };
-            auto const weighted = [&](int i, int j) { return weight(i, j) * colour(image, i, j); };
-            int const radius = deviation < 1.f ? 3 : 6;
-            return glm::distance(colour(made, x, y), sum_around(x, y, radius, weighted) / sum_around(x, y, radius, weight));
+            auto const sum = sum_around(x, y, most, [&](int i, int j) { return weight(i, j) * at(image, i, j); });
+            return glm::distance(at(made, x, y), sum / sum_around(x, y, most, weight));
         });
     }
 }
 
 TEST_CASE("sums over windows are those of each pixel's square, and bright pixels take nothing off dark ones") {
-    auto from = random_planes<1>(1.f);
+    auto from = random_planes(3, 1.f), to = from;
     from.view().set(0, 20, 10, 1e12f);
-    Planes<2> to(size);
     for (int const radius : {0, 1, 6, 16}) {
         WindowSums<1>(size).around<1>(
             Simd{}, radius,
             [in = from.view()]<class Real>(AtOnce<Real>, int x, int y) { return std::array{in.load_component<Real>(0, x, y)}; },
             [out = to.view(), radius]<class Real>(AtOnce<Real>, int x, int y, int count, auto const& around) {
-                store_pixels<Real>(out, x, y, {around[0], pixels_in_square<Real>(x, y, radius, size)}, count);
+                store_pixels<Real>(out, x, y, {around[0], pixels_in_square<Real>(x, y, radius, size), Real(0.f)}, count);
             });
         check([&](int x, int y) {
-            double const sum = sum_around(x, y, radius, [&](int i, int j) { return at(from, i, j, 0); });
-            double const pixels = sum_around(x, y, radius, [](int, int) { return 1.; });
-            return std::abs(at(to, x, y, 0) - sum) / (1. + std::abs(sum)) + std::abs(at(to, x, y, 1) - pixels);
+            auto const sum = sum_around(x, y, radius, [&](int i, int j) { return Triple(at(from, i, j).x, 1., 0.); });
+            return glm::distance(at(to, x, y), sum) / (1. + std::abs(sum.x));
         });
     }
 }
 
 TEST_CASE("an image moved is interpolated between pixels, and unknown where its surface was outside") {
-    auto const image = random_planes<3>(1.f);
-    auto const motion = random_planes<2>(5.f);
+    auto const image = random_planes(3, 1.f), motion = random_planes(4, 5.f);
     motion.view().set(0, 11, 11, std::numeric_limits<float>::quiet_NaN());
     std::vector<glm::vec3> pixels(static_cast<std::size_t>(size.pixels()));
     copy_out(image.view(), pixels);
     auto const now = moved(Simd{}, pixels, motion.view(), glm::vec3(7.f));
     check([&](int x, int y) {
-        double const column = x + at(motion, x, y, 0), row = y + at(motion, x, y, 1);
+        double const column = x + at(motion, x, y).x, row = y + at(motion, x, y).y;
         bool const is_inside = column > -.5 && row > -.5 && column < size.width - .5 && row < size.height - .5;
         Triple wanted(is_inside ? 0. : 7.); // the sum by each pixel's tent, with the border repeated
         for (int j = -1; j <= size.height && is_inside; ++j)
             for (int i = -1; i <= size.width; ++i)
                 wanted += std::max(1. - std::abs(column - i), 0.) * std::max(1. - std::abs(row - j), 0.) *
-                          colour(image, std::clamp(i, 0, size.width - 1), std::clamp(j, 0, size.height - 1));
+                          at(image, std::clamp(i, 0, size.width - 1), std::clamp(j, 0, size.height - 1));
         return glm::distance(Triple(now[static_cast<std::size_t>(y * size.width + x)]), wanted);
     });
 }
