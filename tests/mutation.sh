@@ -142,7 +142,7 @@ mutant "residual: spikes go where there are samples" link/feedback_stages link/r
 mutant "residual: what is a checkerboard" link/feedback_stages link/residual/residual.hpp 'sum = px.columns() + px.row_of_lanes()' 'sum = px.columns()'
 mutant "residual: light around is never none" link/feedback_stages link/residual/residual.hpp '+ (.02f + 1e-6f);' ';'
 mutant "residual: light beside the image" link/feedback_stages link/residual/residual.hpp 'masked(tap.inside(), abs(luminance(tap.signal())))' 'abs(luminance(tap.signal()))'
-mutant "residual: what is a piece of like light" link/feedback_stages link/residual/residual_levels.hpp '(LightLogarithms{}), 1.f / sigma' '(LightLogarithms{}), sigma'
+mutant "residual: what is a piece of like light" link/feedback_stages link/residual/residual_levels.hpp 'per_light_range = 1.f / .15f' 'per_light_range = 1.f'
 mutant "residual: a half's part of the weights" link/feedback_stages link/residual/residual_levels.hpp 'scale(second, per_whole)' 'second'
 mutant "residual: which half was held out" link/feedback_stages link/residual/residual_levels.hpp 'px[FirstHalf{}], px[SecondHalf{}]);' 'px[SecondHalf{}], px[FirstHalf{}]);'
 mutant "residual: where no other sample tells" link/feedback_stages link/residual/residual_levels.hpp 'masked(others.w > Real(.02f)' 'masked(others.w > Real(.1f)'

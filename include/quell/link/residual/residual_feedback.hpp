@@ -237,13 +237,11 @@ template <ChannelTag Samples = Radiance, bool reports = false> struct ResidualFe
     ResidualLimits limits{};     ///< of the residual
     SharedNoise of_neighbours{}; ///< where neighbours share their noise, less is added, or nothing
     /// @cond
-    using Edge = detail::ResidualEdge;
     using Differences = detail::SampleResidual;
-    using parts =
-        Parts<detail::FrameBrightness, detail::LimitedResidual<Samples>, detail::FindSharedNoise<Differences>, detail::SumBrightnessOfRows,
-              detail::TakeLight, detail::SetOutHalves, detail::SmoothHalves<Edge>, detail::TakeFinestLevel, detail::TakeFinestBand,
-              detail::SumRows<detail::BandProducts, detail::BandProductsOfRows>, detail::GiveLevels,
-              detail::SumRows<detail::LevelProducts, detail::LevelProductsOfRows>, detail::AddLevels<reports>>;
+    using parts = Parts<detail::FrameBrightness, detail::LimitedResidual<Samples>, detail::FindSharedNoise<Differences>,
+                        detail::SumBrightnessOfRows, detail::TakeLight, detail::SetOutHalves, detail::SmoothHalves, detail::TakeFinestLevel,
+                        detail::TakeFinestBand, detail::SumRows<detail::BandProducts, detail::BandProductsOfRows>, detail::GiveLevels,
+                        detail::SumRows<detail::LevelProducts, detail::LevelProductsOfRows>, detail::AddLevels<reports>>;
     /// @endcond
 
     /// Its passes.
@@ -254,11 +252,10 @@ template <ChannelTag Samples = Radiance, bool reports = false> struct ResidualFe
         LimitedResidual<Samples>{limits}.for_each_pass(pass);
         FindSharedNoise<Differences>{of_neighbours}.for_each_pass(pass);
         pass(SumBrightnessOfRows{}), pass(TakeLight{}), pass(SetOutHalves{});
-        Edge const edge{DepthEdge{.relative_floor = .05f}, NormalEdge{.sharpness = 32.f}, LightLogarithmEdge{}};
-        pass(SmoothHalves<Edge>{edge, 1}), pass(TakeFinestLevel{});
-        pass(SmoothHalves<Edge>{edge, 2}), pass(TakeFinestBand{});
+        pass(SmoothHalves{1}), pass(TakeFinestLevel{});
+        pass(SmoothHalves{2}), pass(TakeFinestBand{});
         pass(SumRows<BandProducts, BandProductsOfRows>{band_radius});
-        pass(SmoothHalves<Edge>{edge, 4}), pass(SmoothHalves<Edge>{edge, 8});
+        pass(SmoothHalves{4}), pass(SmoothHalves{8});
         auto const alone = shares.value_or(ResidualFeedbackShares::of_samples(samples));
         bool const is_steady = !shares && !is_judged;
         pass(GiveLevels{alone, is_steady ? ResidualFeedbackShares::beside_history(samples) : alone, most});
