@@ -173,7 +173,7 @@ TEST_CASE("by evidence: its plan lists what is run, in as many bytes as the hist
     auto const plan = plan_of(denoise);
     auto const of_pipeline = plan_of(accumulate_light).passes.size(), of_choice = plan_of(denoise.choice).passes.size();
     CHECK(plan.passes.size() == 6 * of_pipeline + of_choice);
-    CHECK(plan_of(presets::by_evidence(accumulate_light, Evidence{.halves = 1})).passes.size() == 4 * of_pipeline + of_choice);
+    CHECK(plan_of(presets::by_evidence(accumulate_light, Evidence{.both_halves = false})).passes.size() == 4 * of_pipeline + of_choice);
     auto const of_cheaper = plan_of(cheaper).passes.size();
     CHECK(plan_of(presets::by_evidence(accumulate_light, cheaper)).passes.size() == 2 * of_pipeline + 4 * of_cheaper + of_choice);
     CHECK(warm_up_frames(denoise) == warm_up_frames(accumulate_light));

@@ -106,7 +106,7 @@ TEST_CASE("evidence: what is no light says nothing, and neither do samples of a 
             given.fill(SecondEstimate<3>{}, constant(1.f)),
                 given.fill_without(SecondWithoutEven<3>{}, SecondWithoutOdd<3>{}, constant(1.f));
             given.fill(SecondJudged<3>{}, constant(1.f));
-            for (float const each : given.run({.at_first = .25f, .halves = halves})) CHECK(each == doctest::Approx(1.25));
+            for (float const each : given.run({.at_first = .25f, .both_halves = halves == 2})) CHECK(each == doctest::Approx(1.25));
         }
     }
 }
@@ -144,7 +144,7 @@ TEST_CASE("evidence: the part of the first estimate is that of least squares ove
             mean += glm::dot(colour(FirstEstimate<4>{}, x, y), luminance_of) / static_cast<double>(size.pixels());
     for (Evidence const rule :
          {Evidence{.dark = .1f, .most = 2.f, .caution = .3f, .at_first = .8f, .spread = .02f},
-          Evidence{.caution = .5f, .spread = .03f, .doubt = .6f}, Evidence{.spread = .05f, .halves = 1}, Evidence{}}) {
+          Evidence{.caution = .5f, .spread = .03f, .doubt = .6f}, Evidence{.spread = .05f, .both_halves = false}, Evidence{}}) {
         auto const mixed = given.run(rule);
         for (int y = 0; y < size.height; y += 3)
             for (int x = 0; x < size.width; x += 2) {
@@ -153,7 +153,7 @@ TEST_CASE("evidence: the part of the first estimate is that of least squares ove
                 for (int j = std::max(y - radius, 0); j <= std::min(y + radius, size.height - 1); ++j)
                     for (int i = std::max(x - radius, 0); i <= std::min(x + radius, size.width - 1); ++i) {
                         bool const is_odd = (i + j) % 2 != 0;
-                        if (is_odd && rule.halves == 1) continue;
+                        if (is_odd && !rule.both_halves) continue;
                         auto const first = is_odd ? colour(FirstWithoutOdd<4>{}, i, j) : colour(FirstWithoutEven<4>{}, i, j);
                         auto const second = is_odd ? colour(SecondWithoutOdd<4>{}, i, j) : colour(SecondWithoutEven<4>{}, i, j);
                         auto const off = first - second;

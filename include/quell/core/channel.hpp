@@ -32,6 +32,11 @@ template <int Components> struct InternalChannel : Channel<Components> {
     static constexpr bool always_half = false;   ///< true: always stored in half, for values of about 1
 };
 
+/// An InternalChannel that is never stored in half.
+template <int Components> struct ExactChannel : InternalChannel<Components> {
+    static constexpr bool full_precision = true; ///< never half
+};
+
 /// An empty type with `components` and `name`.
 template <class C>
 concept ChannelTag = std::is_empty_v<C> && requires {

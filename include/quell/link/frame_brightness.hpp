@@ -5,9 +5,8 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Over blocks of the frame: the sum of the picture's luminance, whatever its sign, and of pixels.
-template <int its_fraction> struct BrightnessSums : InternalChannel<2> {
+template <int its_fraction> struct BrightnessSums : ExactChannel<2> {
     static constexpr auto name = "brightness_sums";
-    static constexpr bool full_precision = true;
     static constexpr int fraction = its_fraction;
 };
 

@@ -12,7 +12,7 @@ template <int count> using PlanesView = typename Planes<count>::View;
 
 /// A job of a function: f(AtOnce<Real>, x, y, count).
 template <class F> struct PixelJob {
-    static constexpr auto name = "residual";
+    static constexpr auto name = "pixels";
     F f;
 
     template <class Real> QUELL_FLATTENED constexpr void operator()(AtOnce<Real> at, int x, int y, int count) const { f(at, x, y, count); }

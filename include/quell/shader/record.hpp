@@ -69,9 +69,9 @@ private:
 };
 } // namespace detail
 
-/// Records a Pipeline, a Composite, a ByEvidence or a Chain: runs the kernel of each of its passes once, over numbers that remember what is done to them.
-/// No pixel is computed. Policies need no line for it; what cannot be recorded, such as a branch on what is computed of a pixel, is one
-/// sentence at compile time.
+/// Records a Pipeline, a Composite, a ByEvidence or a Chain: runs the kernel of each of its passes once, over numbers that remember what is
+/// done to them. No pixel is computed. Policies need no line for it; what cannot be recorded, such as a branch on what is computed of a
+/// pixel, is one sentence at compile time.
 /// @param pipeline a Pipeline, a Composite, a ByEvidence or a Chain
 /// @param name     what the plan is called
 /// @param options  what is added to its passes

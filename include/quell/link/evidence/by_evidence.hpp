@@ -62,8 +62,8 @@ template <class P, class Judge = P> struct ByEvidence {
     /// @param r how samples are judged
     constexpr ByEvidence(P const& p, Judge const& j, Evidence const& r = {})
         : pipeline(p), judge(j), choice(FirstEstimate<Output::components>{}, Spatial{ChooseByEvidence<Output>{r}}) {}
-    /// How samples are judged.
-    [[nodiscard]] constexpr Evidence const& rule() const { return std::get<0>(choice.stages).kernel.rule; }
+    /// Of the checkerboard: how many are held out.
+    [[nodiscard]] constexpr int halves() const { return std::get<0>(choice.stages).kernel.rule.both_halves ? 2 : 1; }
 };
 /// @cond
 template <class P> ByEvidence(P) -> ByEvidence<P>;
@@ -154,14 +154,12 @@ struct ByEvidenceRun {
         auto judged = second;
         if constexpr (!ByEvidence<P, Judge>::is_own_judge) judged = made_by(by_evidence.judge, history.judge);
         PooledImage first_without[2], second_without[2];
-        int const halves = by_evidence.rule().halves;
-        for (int half = 0; half < 2; ++half)
-            if (half < halves) {
-                hold_out(half);
-                second_without[half] = made_by(by_evidence.judge, history.judge);
-                first_without[half] = made_by(by_evidence.judge, history.judge, &past);
-            } else
-                first_without[half] = first_without[0], second_without[half] = second_without[0];
+        for (int half = 0; half < by_evidence.halves(); ++half) {
+            hold_out(half);
+            second_without[half] = made_by(by_evidence.judge, history.judge);
+            first_without[half] = made_by(by_evidence.judge, history.judge, &past);
+        }
+        if (by_evidence.halves() == 1) first_without[1] = first_without[0], second_without[1] = second_without[0];
         past.drop();
         hold_out(none_held_out);
         auto const first = run(by_evidence.pipeline, seen, history.with, executor);
@@ -194,7 +192,7 @@ template <class P, class Judge> struct PassesOf<ByEvidence<P, Judge>> {
         if constexpr (!ByEvidence<P, Judge>::is_own_judge) group("judge: the frame alone", all.judge, history.judge);
         constexpr char const* names[] = {"judge, without even pixels: the frame alone", "judge, without even pixels: with its history",
                                          "judge, without odd pixels: the frame alone", "judge, without odd pixels: with its history"};
-        for (int i = 0; i < 2 * all.rule().halves && i < 4; ++i) group(names[i], all.judge, history.judge);
+        for (int i = 0; i < 2 * all.halves(); ++i) group(names[i], all.judge, history.judge);
         group("with its history", all.pipeline, history.with);
         group("choice", all.choice, history.choice);
     }

@@ -38,18 +38,15 @@ namespace detail {
 
 /// What a held-out sample says: the product of I - B and A - B, the square of A - B, the variance of the product, and what caution has
 /// added to the first two.
-struct EvidenceTerms : InternalChannel<4> {
+struct EvidenceTerms : ExactChannel<4> {
     static constexpr auto name = "evidence_terms";
-    static constexpr bool full_precision = true;
 };
-struct EvidenceTermsOfRows : InternalChannel<4> {
+struct EvidenceTermsOfRows : ExactChannel<4> {
     static constexpr auto name = "evidence_terms_of_rows";
-    static constexpr bool full_precision = true;
 };
 /// Samples less the first estimate; 0 where there is no sample.
-struct SamplesLessEstimate : InternalChannel<3> {
+struct SamplesLessEstimate : ExactChannel<3> {
     static constexpr auto name = "samples_less_estimate";
-    static constexpr bool full_precision = true;
 };
 
 inline constexpr int evidence_radius = 12; ///< of the windows, in pixels
@@ -101,7 +98,7 @@ private:
             },
             sample, a, b, b_with);
         noise = noise * noise;
-        auto const is_held_out = either(invert(is_odd), Real(static_cast<float>(rule.halves)) > Real(1.f));
+        auto const is_held_out = checkerboard_half(px) < Real(rule.both_halves ? 2.f : .5f);
         auto const counts = both(both(is_sample, is_held_out), both(is_finite(product), is_finite(square)), is_finite(noise));
         return {masked(counts, product), masked(counts, square), masked(counts, noise), masked(counts, cautious)};
     }

@@ -24,13 +24,13 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 /// The part's own variance, n / (sum (A - B)^2)^2 with n = sum ((I - (A + B) / 2)(A - B))^2, says how far it is to be trusted over what was
 /// taken before any sample was seen: a normal distribution about `at_first`.
 struct Evidence {
-    float dark = 0.02f;   ///< part of the picture's mean luminance that is added to the luminance that terms are divided by
-    float most = 20.f;    ///< samples are at most so many times that luminance
-    float caution = 2.f;  ///< how often sum d^2 counts, at least 0
-    float at_first = 1.f; ///< the part where nothing is known
-    float spread = 1.f;   ///< standard deviation of the part about that, before samples are seen; above 0
-    float doubt = 0.f;    ///< how much less caution counts where samples leave nothing of A: from 0, the same, to 1, not at all
-    int halves = 2;       ///< of the checkerboard that are held out: 1 takes two runs less, and knows less
+    float dark = 0.02f;      ///< part of the picture's mean luminance that is added to the luminance that terms are divided by
+    float most = 20.f;       ///< samples are at most so many times that luminance
+    float caution = 2.f;     ///< how often sum d^2 counts, at least 0
+    float at_first = 1.f;    ///< the part where nothing is known
+    float spread = 1.f;      ///< standard deviation of the part about that, before samples are seen; above 0
+    float doubt = 0.f;       ///< how much less caution counts where samples leave nothing of A: from 0, the same, to 1, not at all
+    bool both_halves = true; ///< whether both halves of the checkerboard are held out: one takes two runs less, and knows less
 
     /// For frames of so many samples of each pixel, of which caution depends: 2 at 1 sample, 0 from 16 on. Files may tell of more samples
     /// than were taken.

@@ -2,6 +2,7 @@
 
 #include <quell/execute/executor.hpp>
 #include <quell/image/image_storage.hpp>
+#include <quell/link/checkerboard.hpp>
 
 #include <limits>
 
@@ -17,25 +18,10 @@ template <class From, class To> struct HoldOut {
     int half; ///< of a checkerboard that is held out: pixels whose x + y is even (0) or odd (1); or none
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, Coordinate<Real> x, Coordinate<Real> y, int count) const {
-        auto const sum = real<Real>(x) + lanes_of<Real>() + real<Real>(y);
-        auto const off = sum - 2.f * floor(sum * .5f) - static_cast<float>(half);
+        auto const off = checkerboard_half(Real(to_real(x)) + lanes<Real>(), Real(to_real(y))) - static_cast<float>(half);
         auto const is_held = off * off < Real(.25f);
         auto const held = [&](Real value) QUELL_INLINED { return select(is_held, Real(std::numeric_limits<float>::quiet_NaN()), value); };
         store_pixels<Real>(output, x, y, map(held, load_pixels<Real>(from, x, y)), count);
-    }
-
-private:
-    template <class Real> QUELL_KERNEL static Real real(Coordinate<Real> at) {
-        if constexpr (records<Real>)
-            return to_real(at);
-        else
-            return Real(static_cast<float>(at));
-    }
-    template <class Real> QUELL_KERNEL static Real lanes_of() {
-        if constexpr (records<Real>)
-            return Real(0.f);
-        else
-            return lanes<Real>();
     }
 };
 

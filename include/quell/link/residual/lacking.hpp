@@ -5,9 +5,8 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// What the picture of a frame lacks of its samples: these minus the picture, within limits, and 0 where there is no sample.
-struct Lacking : InternalChannel<3> {
+struct Lacking : ExactChannel<3> {
     static constexpr auto name = "lacking";                    ///< of the channel
-    static constexpr bool full_precision = true;               ///< never half
     static constexpr std::string_view component_names = "RGB"; ///< in files
 };
 inline constexpr Lacking lacking; ///< of a history

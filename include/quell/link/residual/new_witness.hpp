@@ -30,13 +30,11 @@ namespace detail {
 
 /// Of a residual of now, of one around where its surfaces are now, of that one on the screen, and of its blur: the squares of the first
 /// three, and the products of the first with the others.
-struct WitnessProducts : InternalChannel<6> {
+struct WitnessProducts : ExactChannel<6> {
     static constexpr auto name = "witness_products";
-    static constexpr bool full_precision = true;
 };
-struct WitnessProductsOfRows : InternalChannel<6> {
+struct WitnessProductsOfRows : ExactChannel<6> {
     static constexpr auto name = "witness_products_of_rows";
-    static constexpr bool full_precision = true;
 };
 
 inline constexpr int witness_radius = 16; ///< of the windows, in pixels

@@ -7,9 +7,8 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// Of RepeatedResidual: the part of frames around that is left out as they have the same noise, and how far noise was taken for that of
 /// single pixels.
-struct RepeatedRefusal : InternalChannel<2> {
+struct RepeatedRefusal : ExactChannel<2> {
     static constexpr auto name = "repeated_refusal"; ///< of the channel
-    static constexpr bool full_precision = true;     ///< never half
 };
 inline constexpr RepeatedRefusal repeated_refusal; ///< of a history
 
@@ -17,13 +16,11 @@ namespace detail {
 
 /// Of a band of this frame's residual r and the mean m of those around, by the square of the light: r m, (r m)^2, r^2, m^2, and the mean of
 /// the squares of those around. All but the third by how far frames around count.
-template <int band> struct RepeatedProducts : InternalChannel<5> {
+template <int band> struct RepeatedProducts : ExactChannel<5> {
     static constexpr auto name = band == 0 ? "repeated_products_fine" : band == 1 ? "repeated_products_middle" : "repeated_products_wide";
-    static constexpr bool full_precision = true;
 };
-template <int band> struct RepeatedProductsOfRows : InternalChannel<5> {
+template <int band> struct RepeatedProductsOfRows : ExactChannel<5> {
     static constexpr auto name = band == 0 ? "products_of_rows_fine" : band == 1 ? "products_of_rows_middle" : "products_of_rows_wide";
-    static constexpr bool full_precision = true;
 };
 
 /// The frames around that are there.

@@ -2,6 +2,7 @@
 
 #include <quell/core/light.hpp>
 #include <quell/core/logarithm.hpp>
+#include <quell/link/checkerboard.hpp>
 #include <quell/link/frame_brightness.hpp>
 #include <quell/link/window.hpp>
 
@@ -17,38 +18,31 @@ struct ResidualLimits {
 namespace detail {
 
 /// Samples minus picture, in units of the frame's brightness, and 1 where there is a sample; else all are 0.
-struct SampleResidual : InternalChannel<4> {
+struct SampleResidual : ExactChannel<4> {
     static constexpr auto name = "residual";
-    static constexpr bool full_precision = true;
 };
 /// The square of the residual, and 1 where there is a sample; summed along rows in another channel.
-struct ResidualSquares : InternalChannel<2> {
+struct ResidualSquares : ExactChannel<2> {
     static constexpr auto name = "residual_squares";
-    static constexpr bool full_precision = true;
 };
-struct ResidualSquaresOfRows : InternalChannel<2> {
+struct ResidualSquaresOfRows : ExactChannel<2> {
     static constexpr auto name = "residual_squares_of_rows";
-    static constexpr bool full_precision = true;
 };
 /// The mean square of the residual around a pixel, and of a hundredth of the picture's luminance.
-struct MeanSquare : InternalChannel<1> {
+struct MeanSquare : ExactChannel<1> {
     static constexpr auto name = "mean_square";
-    static constexpr bool full_precision = true;
 };
 /// What a residual is too much, and 1 where there is a sample.
-struct Spikes : InternalChannel<4> {
+struct Spikes : ExactChannel<4> {
     static constexpr auto name = "spikes";
-    static constexpr bool full_precision = true;
 };
 /// Luminance of the picture, whatever its sign: summed along rows.
-struct RowBrightness : InternalChannel<1> {
+struct RowBrightness : ExactChannel<1> {
     static constexpr auto name = "row_brightness";
-    static constexpr bool full_precision = true;
 };
 /// The picture's light around a pixel, and a little of that of the frame.
-struct LightAround : InternalChannel<1> {
+struct LightAround : ExactChannel<1> {
     static constexpr auto name = "light_around";
-    static constexpr bool full_precision = true;
 };
 
 inline constexpr int light_radius = 2;          ///< of the squares that light_around is taken over
@@ -130,12 +124,6 @@ struct LimitResidual {
             .with(MeanSquare{}, mean);
     }
 };
-
-/// Which half of a checkerboard a pixel is of: 0 or 1.
-template <class Px> QUELL_KERNEL auto checkerboard_half(Px const& px) {
-    auto const sum = px.columns() + px.row_of_lanes();
-    return sum - 2.f * floor(sum * 0.5f);
-}
 
 /// The residual with what was too much spread over pixels of each one's half of the checkerboard, so that the mean stays and the halves
 /// know nothing of each other.

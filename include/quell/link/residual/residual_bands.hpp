@@ -12,25 +12,21 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 enum class Around { now, before, after };
 
 /// What a frame around lacks, where its surfaces are now, in units of the frame's brightness; and 1 where that is known.
-template <Around frame> struct ResidualThere : InternalChannel<4> {
+template <Around frame> struct ResidualThere : ExactChannel<4> {
     static constexpr auto name = frame == Around::before ? "residual_before" : "residual_after";
-    static constexpr bool full_precision = true;
 };
 /// A residual smoothed by the two Gaussians between the bands: along rows, and in both directions.
-template <Around frame> struct BlursOfRows : InternalChannel<6> {
+template <Around frame> struct BlursOfRows : ExactChannel<6> {
     static constexpr auto name = frame == Around::now      ? "blurs_of_rows"
                                  : frame == Around::before ? "blurs_of_rows_before"
                                                            : "blurs_of_rows_after";
-    static constexpr bool full_precision = true;
 };
-template <Around frame> struct Blurs : InternalChannel<6> {
+template <Around frame> struct Blurs : ExactChannel<6> {
     static constexpr auto name = frame == Around::now ? "blurs" : frame == Around::before ? "blurs_before" : "blurs_after";
-    static constexpr bool full_precision = true;
 };
 /// How far a frame around counts, and where its samples are new.
-template <Around frame> struct Witness : InternalChannel<2> {
+template <Around frame> struct Witness : ExactChannel<2> {
     static constexpr auto name = frame == Around::before ? "witness_before" : "witness_after";
-    static constexpr bool full_precision = true;
 };
 
 /// The residual of a frame, in units of the frame's brightness.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <quell/link/residual/finest_band.hpp>
 #include <quell/link/residual/residual_feedback_shares.hpp>
-#include <quell/link/residual/residual_levels.hpp>
 #include <quell/link/residual/shared_noise.hpp>
 
 #include <optional>
@@ -10,61 +10,23 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 
-/// The finest band of the residual: of a pixel's samples, and of the checkerboard's other half.
-struct FinestLevel : InternalChannel<3> {
-    static constexpr auto name = "finest_level";
-    static constexpr bool full_precision = true;
-};
-struct FinestLevelOfOthers : InternalChannel<3> {
-    static constexpr auto name = "finest_level_of_others";
-    static constexpr bool full_precision = true;
-};
-struct FinestBand : InternalChannel<3> {
-    static constexpr auto name = "finest_band";
-    static constexpr bool full_precision = true;
-};
-struct FinestBandOfOthers : InternalChannel<3> {
-    static constexpr auto name = "finest_band_of_others";
-    static constexpr bool full_precision = true;
-};
-/// What the share of a band, or of all, is found by: the product of the residual and what others say, the square of what is given, and
-/// that of the product. All by the residual's mean square.
-struct BandProducts : InternalChannel<3> {
-    static constexpr auto name = "band_products";
-    static constexpr bool full_precision = true;
-};
-struct BandProductsOfRows : InternalChannel<3> {
-    static constexpr auto name = "band_products_of_rows";
-    static constexpr bool full_precision = true;
-};
-struct LevelProducts : InternalChannel<3> {
+/// The same as of a band, of all that the levels give.
+struct LevelProducts : ExactChannel<3> {
     static constexpr auto name = "level_products";
-    static constexpr bool full_precision = true;
 };
-struct LevelProductsOfRows : InternalChannel<3> {
+struct LevelProductsOfRows : ExactChannel<3> {
     static constexpr auto name = "level_products_of_rows";
-    static constexpr bool full_precision = true;
 };
 /// The logarithm of the light around along rows: the sum, and the sum of squares.
-struct TextureOfRows : InternalChannel<2> {
+struct TextureOfRows : ExactChannel<2> {
     static constexpr auto name = "texture_of_rows";
-    static constexpr bool full_precision = true;
 };
 /// What the levels give.
-struct LevelsGiven : InternalChannel<3> {
+struct LevelsGiven : ExactChannel<3> {
     static constexpr auto name = "levels_given";
-    static constexpr bool full_precision = true;
 };
 
-inline constexpr int texture_radius = 4, band_radius = 6; ///< of windows, in pixels
-
-/// The products that a share is found by.
-template <class Px, class Real> QUELL_KERNEL vec3<Real> products(Px const& px, vec3<Real> const& given, vec3<Real> const& of_others) {
-    auto const own = px[SampleResidual{}];
-    auto const per_square = own.w / max(px[MeanSquare{}], Real(1e-37f));
-    auto const product = dot(colour_of(own), of_others) * per_square;
-    return {product, dot(given, given) * per_square, product * product};
-}
+inline constexpr int texture_radius = 4; ///< of windows, in pixels
 
 /// Takes logarithms of the picture's light.
 struct TakeLight {
@@ -107,32 +69,6 @@ struct SetOutHalves {
     }
 };
 
-/// Keeps the finest level for the band between it and the next.
-struct TakeFinestLevel {
-    static constexpr auto name = "finest level";
-    using reads = Channels<FirstHalf, SecondHalf>;
-    using emits = Channels<FinestLevel, FinestLevelOfOthers>;
-    static constexpr int farthest_tap = 0;
-
-    QUELL_KERNEL auto emit_channels(auto px) const {
-        return emitted<typename decltype(px)::Real>(FinestLevel{}, smoothed(px)).with(FinestLevelOfOthers{}, smoothed_of_others(px));
-    }
-};
-struct TakeFinestBand {
-    static constexpr auto name = "finest band";
-    using reads = Channels<FirstHalf, SecondHalf, FinestLevel, FinestLevelOfOthers, SampleResidual, MeanSquare>;
-    using emits = Channels<FinestBand, FinestBandOfOthers, BandProducts>;
-    static constexpr int farthest_tap = 0;
-
-    QUELL_KERNEL auto emit_channels(auto px) const {
-        using Real = typename decltype(px)::Real;
-        vec3<Real> const band = px[FinestLevel{}] - smoothed(px), of_others = px[FinestLevelOfOthers{}] - smoothed_of_others(px);
-        return emitted<Real>(FinestBand{}, band)
-            .with(FinestBandOfOthers{}, of_others)
-            .with(BandProducts{}, products(px, of_others, of_others));
-    }
-};
-
 /// Puts together what the levels give.
 struct GiveLevels {
     static constexpr auto name = "levels";
@@ -170,14 +106,6 @@ private:
         auto const sums = sum_along_column(px, TextureOfRows{}, texture_radius);
         auto const per_pixel = 1.f / pixels_in_window(px, texture_radius), mean = sums.x * per_pixel;
         return min(2.f * sqrt(max(sums.y * per_pixel - mean * mean, Real(0.f))), Real(1.5f));
-    }
-    /// How much of the finest band held-out samples have too, and how surely.
-    template <class Px> QUELL_KERNEL static auto surely_held(Px const& px) {
-        using Real = typename Px::Real;
-        auto const sums = sum_along_column(px, BandProductsOfRows{}, band_radius);
-        auto const deviation = sqrt(fma(sums.z, Real(2.f), Real(1e-20f)));
-        return clamp(sums.x / max(sums.y, Real(1e-12f)), Real(0.f), Real(1.f)) *
-               clamp(sums.x / deviation * (1.f / 3.f), Real(0.f), Real(1.f));
     }
 };
 

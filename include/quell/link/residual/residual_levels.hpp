@@ -7,18 +7,15 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Logarithms of the picture's light: of the pixel's own, and of that around it.
-struct LightLogarithms : InternalChannel<2> {
+struct LightLogarithms : ExactChannel<2> {
     static constexpr auto name = "light_logarithms";
-    static constexpr bool full_precision = true;
 };
 /// Each half of a checkerboard's residual smoothed, and which part of a pixel's weights that half has.
-struct FirstHalf : InternalChannel<4> {
+struct FirstHalf : ExactChannel<4> {
     static constexpr auto name = "first_half";
-    static constexpr bool full_precision = true;
 };
-struct SecondHalf : InternalChannel<4> {
+struct SecondHalf : ExactChannel<4> {
     static constexpr auto name = "second_half";
-    static constexpr bool full_precision = true;
 };
 
 /// Smooths both halves of a residual over surfaces, and over pieces of like light, by a B-spline's 5x5 taps. What differs weighs

@@ -19,9 +19,8 @@ struct SharedNoise {
 };
 
 /// How far noise was taken for that of single pixels, from 0 to 1; the same everywhere. Policies that ask for it keep it where they report.
-struct NoiseIndependence : InternalChannel<1> {
+struct NoiseIndependence : ExactChannel<1> {
     static constexpr auto name = "noise_independence"; ///< of the channel
-    static constexpr bool full_precision = true;       ///< never half
 };
 inline constexpr NoiseIndependence noise_independence; ///< of a history
 
@@ -29,9 +28,8 @@ namespace detail {
 
 /// Over windows of the frame: how many have a part of shared noise that is less than `least`, less than the middle, and less than `most`;
 /// and how many have any noise.
-template <int its_fraction> struct SharedNoiseSums : InternalChannel<4> {
+template <int its_fraction> struct SharedNoiseSums : ExactChannel<4> {
     static constexpr auto name = "shared_noise_sums";
-    static constexpr bool full_precision = true;
     static constexpr int fraction = its_fraction;
 };
 
