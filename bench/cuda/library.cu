@@ -10,14 +10,16 @@
 
 using namespace quell_library;
 
-std::vector<PresetCode> const* quell_code_cuda() {
-    static std::vector<PresetCode> const all{
-        cuda_code<quell::Cuda>("surface-clamp", [] { return quell::presets::surface_clamp(quell::radiance, quell::Demodulate{}); })};
+Codes const* quell_code_cuda() {
+    static auto const all = codes_of_device(
+        {cuda_code<quell::Cuda>("surface-clamp",
+                                [](float /*samples*/) { return quell::presets::surface_clamp(quell::radiance, quell::Demodulate{}); })},
+        {});
     return &all;
 }
-extern "C" PresetCodes quell_code_none;
-std::vector<PresetCode> const* quell_code_none() {
-    static std::vector<PresetCode> const none;
+extern "C" CodesOf quell_code_none;
+Codes const* quell_code_none() {
+    static Codes const none;
     return &none;
 }
 

@@ -1,6 +1,8 @@
 #include <denoise/denoiser.hpp>
 
 #include <library/resolved_denoiser.hpp>
+#include <library/stage.hpp>
+#include <library/wrapped_denoiser.hpp>
 #include <quell/diagnose/diagnose.hpp>
 #include <quell/io/camera_attributes.hpp>
 #include <quell/io/frame_image.hpp>
@@ -23,12 +25,55 @@ Way with_channels_for(Way way, std::optional<Extent> output) {
     if (output) way.channels = channels_of_resolved(way);
     return way;
 }
+
+/// A denoiser of which a choice may be made in each frame.
+class ChosenDenoiser final : public WrappedDenoiser {
+    HistoryChoice* const& choice;
+
+public:
+    ChosenDenoiser(std::unique_ptr<CompiledDenoiser> d, HistoryChoice* const& c) : WrappedDenoiser(std::move(d)), choice(c) {}
+    void run(std::span<FrameImages const> window, quell_library::Image const& output) override {
+        choice != nullptr ? choice->run(*denoiser, window, output) : denoiser->run(window, output);
+    }
+    void forget() override { denoiser->forget(); }
+    void release_scratch() override { denoiser->release_scratch(); }
+    [[nodiscard]] std::size_t bytes() const override { return denoiser->bytes(); }
+};
+
+constexpr std::string_view done_here[] = {"evidence", "light", "colours"};
 } // namespace
+
+bool is_own_stage(std::string_view name) {
+    static auto const links = link_stages();
+    return std::ranges::find(done_here, name) == std::end(done_here) &&
+           std::ranges::find(links, name, &quell_library::Stage::name) != links.end();
+}
+bool is_stage(std::string_view name) { return std::ranges::find(done_here, name) != std::end(done_here) || is_own_stage(name); }
+std::string stage_names() {
+    std::string text;
+    for (auto const name : done_here) (text += text.empty() ? "" : ", ") += name;
+    for (auto const& stage : stages())
+        if (is_own_stage(stage.name)) text += ", " + stage.name;
+    return text;
+}
 
 Denoiser::Denoiser(Way const& w, Extent s, int count, std::optional<Extent> o)
     : way(with_channels_for(w, o)), size(s), output(o), threads(count) {
-    code = w.make(s, parallel(), {});
+    code = std::make_unique<ChosenDenoiser>(w.make(s, parallel(), {}), chosen_by);
     if (output) code = make_resolved(std::move(code), w, s, *output, parallel(), {});
+}
+
+void Denoiser::put_behind(std::vector<std::string> const& names) {
+    for (auto const& stage : stages()) {
+        if (!is_own_stage(stage.name) || std::ranges::find(names, stage.name) == names.end()) continue;
+        if (auto const why = stage.refusal(way); !why.empty())
+            throw Error("--stages", "the preset " + why, "leave " + stage.name + " out, or choose another preset");
+        auto const parallel_now = parallel();
+        Memory const memory;
+        code = stage.put(
+            std::move(code),
+            {.way = way, .judge = way, .channels = way.channels, .size = size, .output = size, .parallel = parallel_now, .memory = memory});
+    }
 }
 
 std::vector<std::string> Denoiser::planes(io::ChannelNames const& names, bool optional) const {
@@ -84,7 +129,8 @@ std::pair<metrics::Picture, std::vector<float>> written(Extent size, int compone
 metrics::Picture Denoiser::run_images(HistoryChoice* choice) {
     auto [picture, alpha] = written(output.value_or(size), way.output_components, [&](quell_library::Image const& into) {
         auto const begin = std::chrono::steady_clock::now();
-        choice != nullptr ? choice->run(*code, images, into) : code->run(images, into);
+        chosen_by = choice;
+        code->run(images, into);
         taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     });
     denoised_alpha = std::move(alpha);

@@ -32,6 +32,12 @@ enum class Purpose {
 /// How many later frames a preset that looks ahead gets.
 inline constexpr int usual_later_frames = 2;
 
+/// The stages that are done besides a preset, by name: evidence, light and colours, and of those that stand behind presets the host's own.
+[[nodiscard]] bool is_stage(std::string_view name);
+[[nodiscard]] std::string stage_names();
+/// Whether a stage is one of the host's own (QUELL_OWN_STAGES).
+[[nodiscard]] bool is_own_stage(std::string_view name);
+
 /// Denoises one signal of a sequence of files.
 class Denoiser {
 public:
@@ -53,6 +59,10 @@ public:
     void drop_ahead() {
         while (!window.empty()) drop_first();
     }
+    /// From now on these of the stages that stand behind a preset are behind it.
+    /// @param names of stages, of which others are left to whoever calls
+    /// @throws Error where the preset can't have one
+    void put_behind(std::vector<std::string> const& names);
     /// From now on each frame is looked at for what its renderer got wrong.
     /// @param by what the denoised signal is multiplied by at the end, where that is the albedo it was divided by; one source per component
     void diagnose(std::vector<io::Source> by = {}) { looks = true, factor = std::move(by); }
@@ -101,12 +111,13 @@ private:
     Extent size; ///< of the last frame
     std::optional<Extent> output;
     quell_library::OwnThreads threads;
-    std::unique_ptr<quell_library::CompiledDenoiser> code;
-    std::deque<quell_library::LoadedFrame> window;  ///< frames that it was shown and has not denoised
-    std::vector<quell_library::LoadedFrame> spare;  ///< memory of frames that it has denoised
-    std::vector<quell_library::FrameImages> images; ///< the window's
-    double taken = 0;                               ///< milliseconds
-    bool looks = false;                             ///< whether frames are looked at
+    std::unique_ptr<quell_library::CompiledDenoiser> code; ///< with what stands behind it
+    quell_library::HistoryChoice* chosen_by = nullptr;     ///< of the frame that is denoised
+    std::deque<quell_library::LoadedFrame> window;         ///< frames that it was shown and has not denoised
+    std::vector<quell_library::LoadedFrame> spare;         ///< memory of frames that it has denoised
+    std::vector<quell_library::FrameImages> images;        ///< the window's
+    double taken = 0;                                      ///< milliseconds
+    bool looks = false;                                    ///< whether frames are looked at
     static constexpr int first_frames = 10;
     int to_check = 0; ///< frames that are still to be looked at at little cost
     CheapDiagnosis check;

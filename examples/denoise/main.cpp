@@ -9,6 +9,8 @@
 #include <denoise/sequence_views.hpp>
 #include <denoise/stage_account.hpp>
 #include <denoise/summary.hpp>
+#include <library/name_list.hpp>
+#include <library/stage.hpp>
 #include <support/frame_pattern.hpp>
 #include <support/program.hpp>
 #include <support/progress.hpp>
@@ -101,12 +103,16 @@ void print_upsampling(DenoiseOptions const& options) {
     std::cout << '\n';
 }
 
-/// Whether more is done to pictures than a preset does.
-bool refines(DenoiseOptions const& options, Preset const& preset) {
-    return !options.quick && (preset.name == "final-frame" || preset.name == "general") && options.device == "cpu";
+/// What is done behind a preset.
+std::vector<std::string> stages_of(DenoiseOptions const& options, Preset const& preset) {
+    if (options.quick) return {};
+    if (!options.stages) return quell_library::names_in(preset.stages);
+    auto const& wanted = *options.stages;
+    if (!wanted.empty() && preset.usual.signal != radiance.name)
+        throw Error("--stages", "preset " + preset.name + " does not denoise a picture by one history", "leave it out, or take general");
+    return wanted;
 }
-/// Whether each signal's light is then put together with its history and without.
-bool chooses_history(Preset const& preset) { return preset.name == "final-frame"; }
+bool has(std::vector<std::string> const& stages, std::string_view name) { return std::ranges::find(stages, name) != stages.end(); }
 
 void print_plan(DenoiseOptions const& options) {
     auto const choose = [&] {
@@ -118,10 +124,13 @@ void print_plan(DenoiseOptions const& options) {
     auto const& preset = *choose();
     auto const& way = way_of(preset);
     std::cout << preset.name << "\n\n";
-    if (refines(options, preset) && chooses_history(preset))
-        std::cout << quell_library::plan_of_choice(way, way_of(quell_library::judge_of(preset)));
-    std::cout << way.plan();
-    if (refines(options, preset)) std::cout << plans_of_residual_links();
+    auto const stages = stages_of(options, preset);
+    if (has(stages, "evidence")) std::cout << quell_library::plan_of_choice(way, way_of(quell_library::judge_of(preset)));
+    auto plan = way.plan();
+    for (auto const& stage : quell_library::stages())
+        if (is_own_stage(stage.name) && has(stages, stage.name)) plan = stage.plan(plan, way, way);
+    std::cout << plan;
+    if (has(stages, "light")) std::cout << plans_of_residual_links();
     if (options.upsample) print_upsampling(options);
 }
 
@@ -237,9 +246,7 @@ private:
                 .field_of_view = options.field_of_view,
                 .later_frames = later_frames(options, *choice.preset),
                 .keeps_alpha = options.keep_alpha,
-                .anti_aliases = !options.quick,
-                .refines = refines(options, *choice.preset),
-                .chooses_history = chooses_history(*choice.preset),
+                .stages = stages_of(options, *choice.preset),
                 .accounts = options.why,
                 .diagnose = options.diagnose,
                 .upsampling = upsampling,
@@ -272,7 +279,8 @@ private:
     /// Whether pictures of frames take part in those after them, beside their history.
     /// How many frames before one have pictures that take part in its own.
     [[nodiscard]] int frames_in_full() const {
-        return (upsampling && upsampling->resolves() ? frames_of_upsampling : 0) + (refines(options, *choice.preset) ? 1 : 0);
+        return (upsampling && upsampling->resolves() ? frames_of_upsampling : 0) +
+               (has(stages_of(options, *choice.preset), "light") ? 1 : 0);
     }
     /// Whether one of the next steps writes a frame that the picture of the one before it takes part in.
     [[nodiscard]] bool is_wanted_in_full(std::vector<Step> const& steps, std::size_t next) const {

@@ -100,6 +100,10 @@ void describe(CLI::App& app, DenoiseOptions& options) {
         "The preset's own result, with final-frame and general in about a quarter of the time: without light with history and "
         "without, as each frame's samples speak for (final-frame), without light that comes back, and without colours and emission "
         "from the samples of frames around");
+    app.add_option("--stages", options.stages,
+                   "What is done besides, in place of what the preset has: any of " + stage_names() +
+                       " (default: light and colours with general, evidence too with final-frame)")
+        ->delimiter(',');
     app.add_flag("--diagnose", options.diagnose,
                  "Say on stderr what the renderer seems to have got wrong (motion, cameras, depth, normals, albedo, samples) and in which "
                  "frame that first shows");
@@ -139,6 +143,13 @@ void check_debug_views(DenoiseOptions const& options) {
         throw Error("--debug-view", "--out is missing", "say where the result goes: views are written beside it");
 }
 
+void check_stages(DenoiseOptions const& options) {
+    if (!options.stages) return;
+    if (options.quick) throw Error("--stages", "--quick is there too, which is none", "leave one of the two out");
+    for (auto const& name : *options.stages)
+        if (!is_stage(name)) throw Error("--stages", "there is no '" + name + "'", "choose any of: " + stage_names());
+}
+
 /// A file that is named as another format than it has misleads every program that opens it.
 void check_format(std::string const& out) {
     auto const ending = CLI::detail::to_lower(std::filesystem::path(out).extension().string());
@@ -160,6 +171,7 @@ void check_beside_device(DenoiseOptions const& options) {
     if (options.device == "cpu") return;
     for (auto const& [name, is_there] : {std::pair{"--extra-frames", options.extra_frames.value_or(0) != 0},
                                          {"--debug-view", !options.debug_views.empty()},
+                                         {"--stages", options.stages.has_value()},
                                          {"--diagnose", options.diagnose}})
         if (is_there) throw Error(name, "--device " + options.device + " does not know it", "leave one of the two out");
 }
@@ -180,6 +192,7 @@ void check(DenoiseOptions const& options) {
     if (!options.isa.empty() && options.isa != QUELL_ISA)
         throw Error("--isa", "this program has no code for '" + options.isa + "'", "choose one of: " QUELL_ISAS);
     check_beside_device(options);
+    check_stages(options);
     if (options.list) return;
     check_upsample(options);
     if (options.plan && options.in.empty() && options.preset.empty())

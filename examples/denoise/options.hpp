@@ -22,8 +22,9 @@ struct DenoiseOptions {
     std::optional<float> upsample;      ///< how many times larger than the input; empty: the picture takes the input's place
     std::optional<float> shutter;       ///< of all frames, whatever the map and the files say
     std::vector<std::string> debug_views;
-    std::string device = "cpu"; ///< or "cuda"
-    std::string isa;            ///< the instruction set to run; empty: the best that the machine has
+    std::optional<std::vector<std::string>> stages; ///< names of what is done besides; empty: what the preset has
+    std::string device = "cpu";                     ///< or "cuda"
+    std::string isa;                                ///< the instruction set to run; empty: the best that the machine has
     bool why = false, keep_alpha = false, quick = false, quiet = false, list = false, plan = false, diagnose = false, skip_existing = false,
          json = false;
 };

@@ -81,6 +81,7 @@ Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
     if (made) return *made;
     auto const whole = frames.canvas_size();
     made = std::make_unique<Denoiser>(way_of(frames.settings.preset, purpose_of(signal)), whole, frames.settings.threads);
+    made->put_behind(frames.settings.stages);
     if (!frames.settings.diagnose && !checks) made->check_first_frames(), checks = true;
     if (frames.settings.diagnose)
         made->diagnose(signal < frames.names().of_signals.size() ? frames.names().of_signals[signal].factor : std::vector<io::Source>());
@@ -318,7 +319,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     why.add_samples(front.said_samples, front.samples);
     auto const denoised_signal = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
-        auto* const choice = is_refined && frames.settings.chooses_history ? choice_for(s) : nullptr;
+        auto* const choice = frames.settings.is_judged() && is_wanted ? choice_for(s) : nullptr;
         auto result = denoiser(s).denoise(image, channels, number, choice);
         auto const factor = why.is_gathered() ? picture_of(image, split.signals[s].factor, 1.f) : metrics::Picture{};
         if (choice != nullptr) tell_history(why, s, *choice, result, factor);
@@ -385,7 +386,7 @@ DenoisedFrame SequenceDenoiser::finished(DenoisedSignals& signals) {
         change_signals(frame, given.pixels);
     }
     signals.why.finish(frame.picture, frames.settings.is_refined() ? "nothing to do, or the files lack what it wants"
-                                                                   : "left out: --quick, or a preset without it");
+                                                                   : "left out: by --quick, --stages or the preset");
     if (accumulates_guides(frames.settings.preset)) accumulate_guides(frame, seen);
     if (!has_several_signals(frames.names())) frame.signals.clear(); // it is the picture
     if (!frames.alpha_plane().empty()) film.clear_empty(frame, signals.shown, seen.image, frames.guide_names());

@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::array<StageLook, stage_count> looks{
     {{"samples", "of the number of samples that files say is believed", "none", {0, 0, 0}},
-     {"history", "of the light is what the frame alone has", "blue", {.2f, .4f, 1}},
-     {"feedback", "of the light came back or went", "green", {.1f, .9f, .2f}},
+     {"evidence", "of the light is what the frame alone has", "blue", {.2f, .4f, 1}},
+     {"light", "of the light came back or went", "green", {.1f, .9f, .2f}},
      {"colours", "of the light was changed by colours of frames around", "yellow", {1, .9f, .1f}},
      {"guide noise", "of the light was taken off as noise of guides", "magenta", {1, .2f, 1}},
-     {"repeated", "of the light came back or went by what frames in a row lack", "cyan", {.1f, .9f, 1}}}};
+     {"repeated light", "of the light came back or went by what frames in a row lack", "cyan", {.1f, .9f, 1}}}};
 constexpr glm::vec3 colour_of_refused{1, 0, 0};
 
 constexpr double noticeable = .45; ///< part that a stage refuses, in the mean over frames

@@ -22,6 +22,7 @@ struct Options {
     std::string preset, language = "wgsl", workgroup = "8x8";
     std::filesystem::path out;
     bool list = false, print = false;
+    int samples_per_pixel = 1;
     RecordOptions record;
 };
 
@@ -68,7 +69,7 @@ void body(Options const& options) {
         return;
     }
     if (options.preset.empty()) raise_error("--preset", "none is given", "give one of --list");
-    auto const plan = shaders::recorded_preset_named(options.preset, checked(options));
+    auto const plan = shaders::recorded_preset_named(options.preset, checked(options), static_cast<float>(options.samples_per_pixel));
     if (options.print)
         for (auto const& pass : plan.passes) std::cout << to_string(pass.graph);
     if (!options.out.empty())
@@ -83,7 +84,9 @@ int main(int argc, char** argv) {
     return examples::exit_code_of("quell-shaders", [&] {
         Options options;
         CLI::App app{"Writes a preset as compute shaders, and plan.json, which says how a host runs them."};
-        app.add_option("--preset", options.preset, "the preset: one of --list");
+        app.add_option("--preset", options.preset, "the preset, or a stage behind presets: one of --list");
+        app.add_option("--samples-per-pixel", options.samples_per_pixel, "for a stage (default: 1, or not known)")
+            ->check(CLI::Range(1, 1 << 24));
         app.add_option("--language", options.language,
                        std::string(shaders::language_names) + "; glslangValidator makes spirv, and spirv-cross of it hlsl and metal")
             ->check(CLI::IsMember({"wgsl", "glsl", "spirv", "hlsl", "metal"}));
@@ -101,7 +104,7 @@ int main(int argc, char** argv) {
                      "loads of views of the buffers: for glsl and spirv on a device that is a CPU");
         app.add_option("--workgroup", options.workgroup, "threads of a workgroup along each axis")->capture_default_str();
         app.add_flag("--print", options.print, "prints the recorded steps of each pass, for people");
-        app.add_flag("--list", options.list, "prints the presets that can be recorded, one a line");
+        app.add_flag("--list", options.list, "prints the presets and stages that can be recorded, one a line");
         if (examples::parse(app, argc, argv)) body(options);
     });
 }

@@ -325,7 +325,7 @@ template <class... Ps> std::vector<SignalOfPreset> signals_of(quell::Composite<P
 /// All that is compiled of a preset.
 template <class Named> CompiledPreset compiled(Named const& named) {
     using P = std::remove_const_t<decltype(Named::usual())>;
-    CompiledPreset made{.name = std::string(named.name), .group = named.group};
+    CompiledPreset made{.name = std::string(named.name), .group = named.group, .judge = named.judge, .stages = named.stages};
     auto const picture = [] {
         if constexpr (is_effect<typename Named::signal_type>)
             return quell::Composite{Named::usual()};

@@ -33,7 +33,7 @@ public:
     virtual ~CompiledDenoiser() = default;
 
     /// Denoises the first frame of a window. The others are those after it, which two-sided ways make use of.
-    /// @param output written; of the frame's size, or of its own: see make_resolved()
+    /// @param output written; of the frame's size, or of its own: see resolve_stage
     /// @throws quell::Error as quell::run() does
     virtual void run(std::span<FrameImages const> window, Image const& output) = 0;
 
@@ -120,6 +120,8 @@ struct CompiledPreset {
     std::vector<SignalOfPreset> of_signals{}; ///< what it denoises: several where it puts a picture together
     bool by_albedo = false;                   ///< whether it divides the picture by its albedo before it denoises it
     bool wants_sharp_picture = false;         ///< whether it blurs a picture of one instant
+    std::string_view judge{};                 ///< see quell::NamedPreset
+    std::string_view stages{};                ///< see quell::NamedPreset
     int warm_up = 0;                          ///< how many frames before the first make a frame what it is in the whole sequence
 };
 

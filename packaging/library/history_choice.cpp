@@ -176,15 +176,15 @@ bool can_choose_history(Way const& way) {
 
 CompiledPreset const& judge_of(CompiledPreset const& preset) {
     auto const& all = compiled_presets();
-    auto const general = std::ranges::find(all, "general", &CompiledPreset::name);
-    return preset.name == "final-frame" && general != all.end() ? *general : preset;
+    auto const judge = std::ranges::find(all, preset.judge, &CompiledPreset::name);
+    return judge != all.end() ? *judge : preset;
 }
 
 std::string plan_of_choice(Way const& way, Way const& judge) {
     bool const is_own_judge = &way == &judge;
     constexpr int images = 9;
     return "With its history and without, put together by evidence: each frame is denoised once more by itself, and " +
-           std::string(is_own_judge ? "" : "by its judge, general, by itself and ") +
+           std::string(is_own_judge ? "" : "by its judge, by itself and ") +
            "with and without history twice each, with half of the samples left out. That takes " +
            std::to_string(images * way.output_components * static_cast<int>(sizeof(float))) + " bytes a pixel, history and scratch " +
            (is_own_judge ? "once more" : "once more and of its judge") + ", and:\n\n" +

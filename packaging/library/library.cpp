@@ -4,9 +4,9 @@
 
 #include "calls.hpp"
 #include "cuda/cuda_code.hpp"
+#include "name_list.hpp"
 #include "own_threads.hpp"
 #include "preset_code.hpp"
-#include "steady_plan.hpp"
 
 #include <dispatch/machine_runs.hpp>
 
@@ -14,7 +14,7 @@
 #include <atomic>
 #include <cmath>
 
-extern "C" quell_library::PresetCodes QUELL_ENTRIES;
+extern "C" quell_library::CodesOf QUELL_ENTRIES;
 
 namespace {
 
@@ -23,7 +23,7 @@ using namespace quell_library;
 /// Code for one instruction set.
 struct Code {
     char const* name;
-    PresetCodes* presets;
+    CodesOf* all;
     bool runs_anywhere; ///< it is for the machine that it was built on
 };
 constexpr Code codes[] = {QUELL_CODES}; // the best first
@@ -51,21 +51,21 @@ Code const* code_for(char const* wanted, quell_status& status) {
     return nullptr;
 }
 
-/// A sentence where a device can't do what the settings ask for, or there is no code for it.
-std::string check_device(quell_settings const& settings, bool resolves) {
-    if (cuda_codes() == nullptr)
-        return std::string("settings.device: QUELL_CUDA, and this library was built without CUDA; ") + build_with_cuda;
-    for (auto const& [name, is_set] : {std::pair{"two_sided", settings.two_sided != 0},
-                                       {"alpha", settings.alpha != 0},
-                                       {"anti_alias, or an output of another size", resolves},
-                                       {"steady_guides", settings.steady_guides != 0},
-                                       {"choose_history", settings.choose_history != 0},
-                                       {"give_back", settings.give_back != 0},
+/// A sentence where a device can't do what the settings ask for.
+std::string check_device(quell_settings const& settings) {
+    for (auto const& [name, is_set] : {std::pair{"alpha", settings.alpha != 0},
                                        {"allocate", settings.allocate != nullptr},
                                        {"instruction_set", settings.instruction_set != nullptr}})
         if (is_set)
             return std::string("settings.device: QUELL_CUDA with ") + name + ", which a device does not know; leave one of the two out";
     return {};
+}
+
+/// All that a device is compiled for; null: nothing.
+Codes const* codes_of(std::int32_t device) {
+    if (device == QUELL_CUDA) return cuda_codes();
+    auto const* const code = std::ranges::find_if(codes, runs_here);
+    return device == QUELL_CPU && code != std::end(codes) ? code->all() : nullptr;
 }
 
 struct Range {
@@ -86,11 +86,10 @@ Range range_of(Image const& image, int components, int width, int height) {
 struct quell_denoiser {
     Code const* code;
     PresetCode const* preset;
-    PresetWay const* way;
+    std::shared_ptr<PresetWay const> way;
     quell_motion motion;
     bool two_sided;
-    bool anti_aliases;
-    Additions with;
+    bool resolves;
     Sizes sizes;
     int guide_width; ///< of the frame that was run last
     OwnThreads threads;
@@ -212,10 +211,10 @@ std::string take_size(quell_denoiser const& denoiser, Frame& to, quell_frame con
     to.width = usual.width, to.height = usual.height;
     if (frame.width == 0 && frame.height == 0) return {};
     auto const what = "frame: a size of " + size(frame.width, frame.height);
-    if (!denoiser.anti_aliases && (frame.width != usual.width || frame.height != usual.height))
+    if (!denoiser.resolves && (frame.width != usual.width || frame.height != usual.height))
         return what + "; this denoiser's frames are " + size(usual.width, usual.height) +
-               ": leave width and height 0, or set settings.anti_alias, with which frames may be of several sizes";
-    if (denoiser.anti_aliases &&
+               ": leave width and height 0, or let settings.stages have 'resolve', with which frames may be of several sizes";
+    if (denoiser.resolves &&
         (frame.width < 1 || frame.height < 1 || !is_ratio({frame.width, frame.height, usual.output_width, usual.output_height})))
         return what + " for an output of " + size(usual.output_width, usual.output_height) +
                "; the output must be 1 to 4 times as wide and as high";
@@ -226,13 +225,13 @@ std::string take_size(quell_denoiser const& denoiser, Frame& to, quell_frame con
 /// A sentence where there is no camera, and must be, or where its jitter can't be.
 std::string check_camera(quell_denoiser const& denoiser, quell_camera const* camera) {
     if (camera == nullptr) {
-        if (denoiser.anti_aliases) return "frame.camera: null; anti-aliasing needs its jitter, which may be 0";
+        if (denoiser.resolves) return "frame.camera: null; 'resolve' needs its jitter, which may be 0";
         if (denoiser.way->needs_camera) return "frame.camera: null; '" + denoiser.preset->name + "' needs the camera";
         return denoiser.motion.has_jitter != 0 ? "frame.camera: null; settings.motion.has_jitter needs its jitter" : "";
     }
     constexpr float most = 8;
     auto const [x, y] = camera->jitter;
-    if (!denoiser.anti_aliases || (std::abs(x) <= most && std::abs(y) <= most)) return {};
+    if (!denoiser.resolves || (std::abs(x) <= most && std::abs(y) <= most)) return {};
     return "frame.camera: a jitter of " + std::to_string(x) + ", " + std::to_string(y) +
            "; give the samples' offset from the pixels' centres, in pixels of the frame: at most 8";
 }
@@ -295,28 +294,34 @@ Sizes sizes_of(quell_settings const& settings) {
     return {settings.width, settings.height, is_said ? settings.output_width : settings.width,
             is_said ? settings.output_height : settings.height};
 }
-bool anti_aliases(quell_settings const& settings) {
+/// The names of a list between commas; with `resolve` where the output has another size.
+std::vector<std::string> stages_of(quell_settings const& settings) {
+    auto names = names_in(settings.stages != nullptr ? settings.stages : "");
     auto const sizes = sizes_of(settings);
-    return settings.anti_alias != 0 || sizes.output_width != sizes.width || sizes.output_height != sizes.height;
+    bool const is_resized = sizes.output_width != sizes.width || sizes.output_height != sizes.height;
+    if (is_resized && std::ranges::find(names, resolve_stage) == names.end()) names.emplace_back(resolve_stage);
+    return names;
+}
+/// A sentence where a name is none of those that there are, or there twice.
+std::string check_stages(std::vector<std::string> const& names, std::vector<std::string> const& all, bool on_device) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::ranges::find(all, names[i]) == all.end())
+            return "settings.stages: there is no '" + names[i] + (on_device ? "' for CUDA" : "'") + "; give " +
+                   (all.empty() ? "none" : "some of these, with commas between: " + joined(all, [](auto const& each) { return each; }));
+        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) - names.begin() <
+            static_cast<std::ptrdiff_t>(i))
+            return "settings.stages: '" + names[i] + "' is there twice; give it once";
+    }
+    return {};
 }
 
 /// A sentence where the settings are wrong.
 std::string check(quell_settings const& settings) {
     if (settings.width < 1 || settings.height < 1)
         return "settings: a size of " + size(settings.width, settings.height) + "; give a width and a height of at least one pixel";
-    if (settings.choose_history < 0)
-        return "settings.choose_history: " + std::to_string(settings.choose_history) + "; give the samples of each pixel, or 0";
-    if (settings.give_back < 0)
-        return "settings.give_back: " + std::to_string(settings.give_back) + "; give the samples of each pixel, or 0";
-    if (settings.give_back != 0 && settings.alpha != 0)
-        return "settings.give_back: settings.alpha is set too, and what comes back into colours would not come back into alpha; leave one "
-               "of "
-               "the two 0";
-    if (settings.steady_guides < 0 || settings.steady_guides > 3)
-        return "settings.steady_guides: " + std::to_string(settings.steady_guides) + "; give 1 (depth), 2 (albedo), 3 (both) or 0 (none)";
-    if (settings.steady_guides != 0 && settings.two_sided != 0)
-        return "settings.steady_guides: settings.two_sided is set too, and guides are accumulated of frames that are past; leave one of "
-               "the two 0";
+    if (settings.samples_per_pixel < 0)
+        return "settings.samples_per_pixel: " + std::to_string(settings.samples_per_pixel) +
+               "; give their number, or 0 where that is not known";
     if (settings.threads < 0) return "settings.threads: " + std::to_string(settings.threads) + "; give 0 or more";
     if ((settings.allocate == nullptr) != (settings.release == nullptr))
         return "settings: one of allocate and release is null; give both or none";
@@ -338,18 +343,16 @@ std::string check(quell_settings const& settings) {
 char const* quell_version(void) { return QUELL_LIBRARY_VERSION; }
 char const* quell_error(void) { return last_error().c_str(); }
 
-char const* quell_preset_name(int32_t index) {
-    auto const* const code = std::ranges::find_if(codes, runs_here);
-    if (code == std::end(codes) || index < 0) return nullptr;
-    auto const& all = *code->presets();
-    return static_cast<std::size_t>(index) < all.size() ? all[static_cast<std::size_t>(index)].name.c_str() : nullptr;
-}
+char const* quell_preset_name(int32_t index) { return quell_device_preset_name(QUELL_CPU, index); }
 char const* quell_device_preset_name(int32_t device, int32_t index) {
-    if (device == QUELL_CPU) return quell_preset_name(index);
-    auto const* const all = device == QUELL_CUDA ? cuda_codes() : nullptr;
-    return all != nullptr && index >= 0 && static_cast<std::size_t>(index) < all->size()
-               ? (*all)[static_cast<std::size_t>(index)].name.c_str()
-               : nullptr;
+    auto const* const codes_there = codes_of(device);
+    auto const i = static_cast<std::size_t>(index);
+    return codes_there != nullptr && index >= 0 && i < codes_there->presets.size() ? codes_there->presets[i].name.c_str() : nullptr;
+}
+char const* quell_stage_name(int32_t device, int32_t index) {
+    auto const* const codes_there = codes_of(device);
+    auto const i = static_cast<std::size_t>(index);
+    return codes_there != nullptr && index >= 0 && i < codes_there->stages.size() ? codes_there->stages[i].c_str() : nullptr;
 }
 char const* quell_instruction_set_name(int32_t index) {
     return index >= 0 && static_cast<std::size_t>(index) < std::size(codes) ? codes[index].name : nullptr;
@@ -361,53 +364,44 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         *denoiser = nullptr;
         if (settings == nullptr) return fail(QUELL_INVALID_ARGUMENT, "quell_create: `settings` is null; start from QUELL_SETTINGS");
         quell_settings own = QUELL_SETTINGS;
-        auto wrong = take_struct(own, reinterpret_cast<std::byte const*>(settings), "settings", "QUELL_SETTINGS",
-                                 offsetof(quell_settings, two_sided));
+        auto wrong = take_struct(own, reinterpret_cast<std::byte const*>(settings), "settings", "QUELL_SETTINGS", sizeof(quell_settings));
         if (wrong.empty()) wrong = check(own);
         if (!wrong.empty()) return fail(QUELL_INVALID_ARGUMENT, wrong);
         settings = &own;
         quell_status status = QUELL_OK;
-        bool const on_device = settings->device != QUELL_CPU, resolves = anti_aliases(*settings);
-        if (on_device)
-            if (auto const refused = check_device(*settings, resolves); !refused.empty()) return fail(QUELL_NOT_SUPPORTED, refused);
+        bool const on_device = settings->device != QUELL_CPU;
+        if (on_device && cuda_codes() == nullptr)
+            return fail(QUELL_NOT_SUPPORTED,
+                        std::string("settings.device: QUELL_CUDA, and this library was built without CUDA; ") + build_with_cuda);
+        if (on_device) wrong = check_device(*settings);
+        if (!wrong.empty()) return fail(QUELL_NOT_SUPPORTED, wrong);
         auto const* const code = on_device ? &cuda_code : code_for(settings->instruction_set, status);
         if (code == nullptr) return status;
-        auto const& all = *code->presets();
+        auto const names = stages_of(*settings);
+        wrong = check_stages(names, code->all()->stages, on_device);
+        if (!wrong.empty()) return fail(on_device ? QUELL_NOT_SUPPORTED : QUELL_INVALID_ARGUMENT, wrong);
+        auto const& all = code->all()->presets;
         auto const wanted = std::string(settings->preset != nullptr ? settings->preset : "");
         auto const preset = std::ranges::find(all, wanted, &PresetCode::name);
         if (preset == all.end())
             return fail(QUELL_UNKNOWN_PRESET, "settings.preset: there is no '" + wanted + (on_device ? "' for CUDA" : "'") +
                                                   "; give one of: " + joined(all, [](auto const& each) { return each.name; }));
-        auto const* way = settings->alpha != 0 ? &preset->two_sided_alpha : settings->two_sided != 0 ? &preset->two_sided : &preset->usual;
-        if (!*way)
-            return fail(QUELL_NOT_SUPPORTED, std::string("settings.") + (settings->alpha != 0 ? "alpha" : "two_sided") + ": '" + wanted +
-                                                 "' has no such way; take general or final-frame");
-        if (resolves) way = way->resolved.get();
-        if (way == nullptr)
-            return fail(QUELL_NOT_SUPPORTED, "settings.anti_alias: '" + wanted + "' makes no picture; leave it 0, and the output's size");
-        if (settings->choose_history != 0 && !way->plan_of_choice)
-            return fail(QUELL_NOT_SUPPORTED, "settings.choose_history: '" + wanted + "' has no history, or several; leave it 0");
-        if (settings->give_back != 0 && !way->plan_of_given_back)
-            return fail(QUELL_NOT_SUPPORTED, "settings.give_back: '" + wanted +
-                                                 "' makes no single colour with its history by normal, depth and motion; leave it 0");
-        for (auto const& [bit, name] : {std::pair{1, "depth"}, std::pair{2, "albedo"}, std::pair{3, "motion"}})
-            if ((settings->steady_guides & bit) != 0 && std::ranges::find(way->channels, name, &Channel::name) == way->channels.end())
-                return fail(QUELL_NOT_SUPPORTED, "settings.steady_guides: '" + wanted + "' reads no " + name + "; leave it 0");
-        std::unique_ptr<quell_denoiser> made(
-            new quell_denoiser{.code = code,
-                               .preset = &*preset,
-                               .way = way,
-                               .motion = settings->motion,
-                               .two_sided = settings->two_sided != 0,
-                               .anti_aliases = resolves,
-                               .with = {settings->steady_guides, settings->choose_history, settings->give_back},
-                               .sizes = sizes_of(*settings),
-                               .guide_width = settings->width,
-                               .threads = OwnThreads(settings->threads),
-                               .plan = {},
-                               .instance = {},
-                               .frames = {},
-                               .output = {}});
+        auto const way = preset->with(names, settings->alpha != 0, wrong);
+        if (way == nullptr) return fail(QUELL_NOT_SUPPORTED, wrong);
+        auto const has = [&](auto const* name) { return std::ranges::find(names, name) != names.end(); };
+        std::unique_ptr<quell_denoiser> made(new quell_denoiser{.code = code,
+                                                                .preset = &*preset,
+                                                                .way = way,
+                                                                .motion = settings->motion,
+                                                                .two_sided = has(two_sided_stage),
+                                                                .resolves = has(resolve_stage),
+                                                                .sizes = sizes_of(*settings),
+                                                                .guide_width = settings->width,
+                                                                .threads = OwnThreads(settings->threads),
+                                                                .plan = {},
+                                                                .instance = {},
+                                                                .frames = {},
+                                                                .output = {}});
         Parallel parallel = settings->parallel != nullptr
                                 ? Parallel{.run = settings->parallel, .user = settings->parallel_user, .threads = settings->threads}
                                 : Parallel{.run = OwnThreads::run, .user = &made->threads, .threads = made->threads.count()};
@@ -417,7 +411,8 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
         std::string error;
         auto const& given = settings->motion;
         Motion const motion{given.from_previous, given.unit, given.y_up, given.has_jitter};
-        made->instance = way->make(made->sizes, made->with, motion, parallel, memory, outcome, error);
+        auto const samples = static_cast<float>(std::max(settings->samples_per_pixel, 1));
+        made->instance = way->make(made->sizes, samples, motion, parallel, memory, outcome, error);
         if (outcome != Outcome::ok) return fail(status_of(outcome), error);
         *denoiser = made.release();
         return QUELL_OK;
@@ -474,11 +469,7 @@ char const* quell_plan(quell_denoiser const* denoiser) {
     if (denoiser == nullptr) return "";
     auto& plan = const_cast<quell_denoiser*>(denoiser)->plan;
     guarded([&] {
-        auto const& [steady_guides, choose_history, give_back] = denoiser->with;
-        if (plan.empty())
-            plan = (steady_guides != 0 ? plan_of_steady(steady_guides) : "") +
-                   (choose_history != 0 ? denoiser->way->plan_of_choice() : "") +
-                   (give_back != 0 ? denoiser->way->plan_of_given_back() : "") + denoiser->way->plan();
+        if (plan.empty()) plan = denoiser->way->plan();
         return QUELL_OK;
     });
     return plan.c_str();
@@ -497,7 +488,7 @@ quell_status quell_run_two_sided(quell_denoiser* denoiser, quell_frame const* fr
         if (frames == nullptr || count == 0)
             return fail(QUELL_INVALID_ARGUMENT, "quell_run_two_sided: no frames; give the one to denoise and those after it");
         if (!denoiser->two_sided)
-            return fail(QUELL_NOT_SUPPORTED, "quell_run_two_sided: the denoiser was made without settings.two_sided; set it to 1");
+            return fail(QUELL_NOT_SUPPORTED, "quell_run_two_sided: the denoiser was made without 'two-sided' in settings.stages; add it");
         return run(*denoiser, frames, count);
     });
 }

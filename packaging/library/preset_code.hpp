@@ -100,39 +100,37 @@ struct Sizes {
     std::int32_t width = 0, height = 0, output_width = 0, output_height = 0;
 };
 
-/// What is done before a preset, with it and behind it.
-struct Additions {
-    std::int32_t steady_guides = 0;  ///< as quell_settings has it
-    std::int32_t choose_history = 0; ///< as quell_settings has it, where it can
-    std::int32_t give_back = 0;      ///< as quell_settings has it, where it can
-};
-
-/// A preset as code for one purpose.
+/// A preset as code for one purpose, with stages.
 struct PresetWay {
     std::vector<Channel> channels{};
     std::vector<Channel> guides{}; ///< that it accumulates
     int output_components = 0;
     bool needs_camera = false;
     std::function<std::string()> plan{};
-    std::function<std::string()> plan_of_choice{};     ///< a sentence before it, where its history is chosen; null where it can't be
-    std::function<std::string()> plan_of_given_back{}; ///< a sentence before it, where light is given back; null where it can't be
     /// Null, and what is wrong, where it can't be made.
-    std::function<std::unique_ptr<Instance>(Sizes const&, Additions const&, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
+    /// @param samples of each pixel
+    std::function<std::unique_ptr<Instance>(Sizes const&, float samples, Motion const&, Parallel const&, Memory const&, Outcome& outcome,
                                             std::string& error)>
         make{};
-    std::shared_ptr<PresetWay const> resolved{}; ///< with temporal anti-aliasing behind it; null where that can't be
-
-    explicit operator bool() const { return plan != nullptr; }
 };
 /// A preset as code.
 struct PresetCode {
     std::string name{};
-    PresetWay usual{};           ///< in real time
-    PresetWay two_sided{};       ///< with the frames after each
-    PresetWay two_sided_alpha{}; ///< the same for a picture with alpha
+    /// The preset with stages. Null where that can't be.
+    /// @param stages  names of Codes::stages, each once
+    /// @param alpha   whether pictures have it
+    /// @param refusal what is wrong then: a sentence
+    std::function<std::shared_ptr<PresetWay const>(std::vector<std::string> const& stages, bool alpha, std::string& refusal)> with{};
 };
 
-/// All presets, compiled for one instruction set, or for a device.
-using PresetCodes = std::vector<PresetCode> const*();
+/// All presets, compiled for one instruction set, or for a device, and the names of all stages, in the order in which they run.
+struct Codes {
+    std::vector<PresetCode> presets{};
+    std::vector<std::string> stages{};
+};
+using CodesOf = Codes const*();
+
+// Names of stages that change what a denoiser reads, how it is called, or what stands behind them.
+inline constexpr auto two_sided_stage = "two-sided", resolve_stage = "resolve", evidence_stage = "evidence";
 
 } // namespace quell_library

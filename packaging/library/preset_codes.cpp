@@ -2,15 +2,15 @@
 // all instruction sets.
 #include "compiled_preset.hpp"
 #include "convert_motion.hpp"
-#include "given_back.hpp"
 #include "history_choice.hpp"
 #include "resolved_denoiser.hpp"
-#include "steady_denoiser.hpp"
+#include "stage.hpp"
 
 #include <quell/core/error.hpp>
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace quell_library {
@@ -40,7 +40,7 @@ template <class F> Outcome caught(std::string& error, F&& f) noexcept {
 }
 
 class PresetInstance final : public Instance {
-    std::vector<ReadChannel> const& channels;
+    std::shared_ptr<std::vector<ReadChannel> const> channels; // stages refer to them
     quell::MotionConvention motion;
     JitterOf before;         ///< of the frame that was denoised last
     bool has_guides = false; ///< whether the last frame, which was denoised to the end, has some
@@ -48,8 +48,8 @@ class PresetInstance final : public Instance {
     std::vector<FrameImages> window;
 
 public:
-    PresetInstance(std::vector<ReadChannel> const& read, Motion const& m, std::unique_ptr<CompiledDenoiser> made)
-        : channels(read), motion(convention_of(m)), denoiser(std::move(made)) {}
+    PresetInstance(std::shared_ptr<std::vector<ReadChannel> const> read, Motion const& m, std::unique_ptr<CompiledDenoiser> made)
+        : channels(std::move(read)), motion(convention_of(m)), denoiser(std::move(made)) {}
 
     Outcome run(std::vector<Frame> const& frames, Image const& output, std::string& error) noexcept override {
         return caught(error, [&] {
@@ -59,7 +59,7 @@ public:
                 take(images, frames[i]);
                 JitterOf const now{images.camera.jitter, images.size},
                     then = i > 0 ? JitterOf{window[i - 1].camera.jitter, window[i - 1].size} : before;
-                convert_motion(motion, channels, images.channels, now, then);
+                convert_motion(motion, *channels, images.channels, now, then);
             }
             denoise(output);
             before = {window.front().camera.jitter, window.front().size};
@@ -99,61 +99,74 @@ private:
     }
 };
 
-/// @param judge of the preset that judges its history
-/// @param put_behind makes another denoiser of what the way makes: put_behind(denoiser, sizes, parallel, memory)
-PresetWay way_of(Way const& way, Way const& judge, std::vector<ReadChannel> const& channels, auto put_behind) {
-    PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera, .plan = way.plan};
-    for (auto const& channel : channels) code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
+std::string quoted(std::string const& name) { return "'" + name + "'"; }
+
+/// What a preset is compiled for, with frames after each and with alpha; none where it is not.
+Way const& way_of(CompiledPreset const& preset, bool two_sided, bool alpha) {
+    return alpha ? preset.two_sided_alpha : two_sided ? preset.two_sided : preset.usual;
+}
+
+std::shared_ptr<PresetWay const> with_stages(CompiledPreset const& preset, std::vector<std::string> const& names, bool alpha,
+                                             std::string& refusal) {
+    auto const is_wanted = [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
+    bool const two_sided = is_wanted(two_sided_stage);
+    auto const& way = way_of(preset, two_sided, alpha);
+    auto const refuse = [&](std::string const& subject, std::string const& why) {
+        refusal = subject + ": " + quoted(preset.name) + " " + why;
+        return nullptr;
+    };
+    if (!way && alpha) return refuse("settings.alpha", "has none; leave it 0, or take general or final-frame");
+    if (!way) return refuse("settings.stages", "makes no use of frames to come; leave 'two-sided' out, or take general or final-frame");
+    auto const& judge = way_of(judge_of(preset), two_sided, alpha);
+    std::vector<Stage const*> wanted;
+    auto plan = way.plan();
+    for (auto const& stage : stages()) {
+        if (!is_wanted(stage.name)) continue;
+        if (auto const why = stage.refusal(way); !why.empty())
+            return refuse("settings.stages", why + "; leave " + quoted(stage.name) + " out");
+        if (two_sided && stage.takes_one_frame)
+            return refuse("settings.stages", "uses frames to come with 'two-sided', and " + quoted(stage.name) +
+                                                 " is made of frames that are past; leave one of the two out");
+        wanted.push_back(&stage);
+        plan = stage.plan(plan, way, judge);
+    }
+    bool const resolves = is_wanted(resolve_stage);
+    auto channels = std::make_shared<std::vector<ReadChannel> const>(resolves ? channels_of_resolved(way) : way.channels);
+    PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera || resolves};
+    for (auto const& channel : *channels) code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
     for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
-    if (can_choose_history(way)) code.plan_of_choice = [&way, &judge] { return plan_of_choice(way, judge); };
-    if (can_give_back(way)) code.plan_of_given_back = plan_of_given_back;
-    code.make = [read = channels, put_behind, &way, &judge](Sizes const& sizes, Additions const& with, Motion const& motion,
-                                                            Parallel const& parallel, Memory const& memory, Outcome& outcome,
-                                                            std::string& error) {
+    code.plan = [plan] { return plan; };
+    bool const is_judged = is_wanted(evidence_stage);
+    code.make = [=, &way, &judge](Sizes const& sizes, float samples, Motion const& motion, Parallel const& parallel, Memory const& memory,
+                                  Outcome& outcome, std::string& error) {
         std::unique_ptr<Instance> made;
         outcome = caught(error, [&] {
-            quell::Extent const size{sizes.width, sizes.height};
-            auto denoiser = way.make(size, parallel, memory);
-            bool const is_judged = with.choose_history != 0;
-            if (is_judged) {
-                auto choice = make_history_choice(way, judge, size, parallel, memory);
-                choice->tell_samples(static_cast<float>(with.choose_history));
-                denoiser = with_history_choice(std::move(denoiser), std::move(choice));
-            }
-            if (with.give_back != 0)
-                denoiser =
-                    with_light_given_back(std::move(denoiser), way, is_judged, static_cast<float>(with.give_back), size, parallel, memory);
-            denoiser = put_behind(std::move(denoiser), sizes, parallel, memory);
-            if (SteadyChoice const steady{(with.steady_guides & 1) != 0, (with.steady_guides & 2) != 0})
-                denoiser = with_steady_guides(std::move(denoiser), read, steady, size, parallel, memory);
-            made = std::make_unique<PresetInstance>(read, motion, std::move(denoiser));
+            StagePlace const place{.way = way,
+                                   .judge = judge,
+                                   .channels = *channels,
+                                   .size = {sizes.width, sizes.height},
+                                   .output = {sizes.output_width, sizes.output_height},
+                                   .samples = samples,
+                                   .is_judged = is_judged,
+                                   .parallel = parallel,
+                                   .memory = memory};
+            auto denoiser = way.make(place.size, parallel, memory);
+            for (auto const* stage : wanted) denoiser = stage->put(std::move(denoiser), place);
+            made = std::make_unique<PresetInstance>(channels, motion, std::move(denoiser));
         });
         return made;
     };
-    return code;
-}
-PresetWay way_of(Way const& way, Way const& judge) {
-    using Made = std::unique_ptr<CompiledDenoiser>;
-    auto code = way_of(way, judge, way.channels, [](Made made, Sizes const&, Parallel const&, Memory const&) { return made; });
-    if (!can_resolve(way)) return code;
-    auto const resolve = [&way](Made made, Sizes const& sizes, Parallel const& parallel, Memory const& memory) {
-        return make_resolved(std::move(made), way, {sizes.width, sizes.height}, {sizes.output_width, sizes.output_height}, parallel,
-                             memory);
-    };
-    auto resolved = way_of(way, judge, channels_of_resolved(way), resolve);
-    resolved.needs_camera = true, resolved.plan = [&way] { return plan_of_resolved(way); };
-    code.resolved = std::make_shared<PresetWay const>(std::move(resolved));
-    return code;
+    return std::make_shared<PresetWay const>(std::move(code));
 }
 
-std::vector<PresetCode> all_codes() {
-    std::vector<PresetCode> all;
-    for (auto const& preset : compiled_presets()) {
-        auto const& judge = judge_of(preset);
-        all.push_back({.name = preset.name, .usual = way_of(preset.usual, judge.usual)});
-        if (preset.two_sided) all.back().two_sided = way_of(preset.two_sided, judge.two_sided);
-        if (preset.two_sided_alpha) all.back().two_sided_alpha = way_of(preset.two_sided_alpha, judge.two_sided_alpha);
-    }
+Codes all_codes() {
+    Codes all;
+    for (auto const& preset : compiled_presets())
+        all.presets.push_back({preset.name, [&preset](std::vector<std::string> const& names, bool alpha, std::string& refusal) {
+                                   return with_stages(preset, names, alpha, refusal);
+                               }});
+    all.stages.emplace_back(two_sided_stage);
+    for (auto const& stage : stages()) all.stages.push_back(stage.name);
     return all;
 }
 
@@ -161,8 +174,8 @@ std::vector<PresetCode> all_codes() {
 
 } // namespace quell_library
 
-extern "C" quell_library::PresetCodes QUELL_CODE_ENTRY;
-extern "C" std::vector<quell_library::PresetCode> const* QUELL_CODE_ENTRY() {
-    static std::vector<quell_library::PresetCode> const all = quell_library::all_codes();
+extern "C" quell_library::CodesOf QUELL_CODE_ENTRY;
+extern "C" quell_library::Codes const* QUELL_CODE_ENTRY() {
+    static quell_library::Codes const all = quell_library::all_codes();
     return &all;
 }

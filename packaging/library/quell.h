@@ -95,7 +95,7 @@ typedef struct quell_samples {
 typedef struct quell_camera {
     float view[16];
     float projection[16]; /* without jitter */
-    float jitter[2];      /* offset of the samples from the pixels' centres, in pixels, y down; at most 8 where frames are anti-aliased */
+    float jitter[2];      /* offset of the samples from the pixels' centres, in pixels, y down; at most 8 with the stage resolve */
 } quell_camera;
 
 /* One frame. Start from QUELL_FRAME. */
@@ -113,7 +113,7 @@ typedef struct quell_frame {
                                    is all that presets support so far. */
     const quell_samples *samples; /* of the channels, in their order. Null: every pixel of all channels has one. Guides (albedo, normal,
                                      depth, motion, motion_next) must have them all. */
-    int32_t width, height; /* where frames are anti-aliased: of this frame, whose size may be another one than the last frame's; what was
+    int32_t width, height; /* with the stage resolve: of this frame, whose size may be another one than the last frame's; what was
                               resolved stays. 0: the settings'. */
 } quell_frame;
 #ifdef __cplusplus
@@ -138,51 +138,37 @@ typedef struct quell_motion {
 
 /* How a denoiser is made. Start from QUELL_SETTINGS. */
 typedef struct quell_settings {
-    size_t struct_size;          /* in all structures that begin with it: later versions of this library read those of earlier ones */
-    const char *preset;          /* one that quell_preset_name() lists */
-    int32_t width, height;       /* of frames; anti-aliased ones may say another size */
-    int32_t threads;             /* 0: all that there are. Results do not depend on it. */
+    size_t struct_size;    /* in all structures that begin with it: later versions of this library read those of earlier ones */
+    const char *preset;    /* one that quell_preset_name() lists */
+    const char *stages;    /* what is done before the preset, with it and behind it: some of the names that quell_stage_name() lists, with
+                              commas between, in any order (docs/library.md): "evidence,light". Null: nothing */
+    int32_t samples_per_pixel; /* for the stages evidence and light; 0: not known, which is taken for 1 */
+    int32_t alpha;         /* 1: for radiance with alpha, the channel radiance_alpha, which the presets general and final-frame can */
+    int32_t width, height; /* of frames; with the stage resolve they may say another size */
+    int32_t output_width, output_height; /* of what comes out: 1 to 4 times the frames', which adds the stage resolve. 0: the frames' own */
+    quell_motion motion;                 /* what the channels motion and motion_next mean; motion_next contains no jitter */
+    int32_t threads;                     /* 0: all that there are. Results do not depend on it. */
+    int32_t device; /* a quell_device. With QUELL_CUDA: of the calling thread's current device. Images of frames, and the output, may lie in
+                       its memory, in memory that CUDA manages, or in host memory, from which they are copied. quell_run() puts its work into
+                       the stream and returns, where no image lies in host memory: until the stream has come there, the images must stay.
+                       Not with alpha, another output size, allocate and instruction_set. */
+    void *stream;   /* with QUELL_CUDA: a cudaStream_t; null is the default stream */
     const char *instruction_set; /* null: the best that the machine has, of those that quell_instruction_set_name() lists */
     quell_parallel parallel;     /* null: the library's own threads, of which there are `threads` */
     void *parallel_user;
     quell_allocate allocate; /* null, as release: the library's own */
     quell_release release;
     void *memory_user;
-    int32_t two_sided;                   /* 1: for quell_run_two_sided(), which the presets general and final-frame can */
-    int32_t alpha;                       /* 1: for radiance with alpha, the channel radiance_alpha, which the same presets can */
-    int32_t output_width, output_height; /* of what comes out: 1 to 4 times the frames', anti-aliased and upsampled. 0: the frames' own */
-    quell_motion motion;                 /* what the channels motion and motion_next mean; motion_next contains no jitter */
-    int32_t anti_alias; /* 1: temporal anti-aliasing, at the frames' size too; an output of another size has it anyway. Each pixel is put
-                           together from the samples of seven frames, moved to where they are now. Move the samples of each frame by another
-                           camera.jitter; frames then need a camera, of which presets that need none read the jitter alone. */
-    int32_t steady_guides; /* guides that are noisy themselves, as out of focus or behind a pane, are accumulated along their motion first,
-                              over 8 frames at most: 1 depth, 2 albedo, 3 both; 0 none. Not with two_sided. After a frame that was refused they
-                              may be accumulated anew. */
-    int32_t choose_history; /* the samples of each pixel (1 where they are not known): each frame is denoised with its
-                               history and without, and both are put together by what samples speak for
-                               that neither has used: where light changes faster than a history can follow, the frame alone has the say.
-                               With many samples it takes more to speak for history. 0: no choice. Presets of one history can; it takes
-                               several times their time (docs/library.md). */
-    int32_t device; /* a quell_device. With QUELL_CUDA: of the calling thread's current device. Images of frames, and the output, may lie in
-                       its memory, in memory that CUDA manages, or in host memory, from which they are copied. quell_run() puts its work into
-                       the stream and returns, where no image lies in host memory: until the stream has come there, the images must stay.
-                       Not with two_sided, alpha, anti_alias, another output size, steady_guides, choose_history, give_back,
-                       allocate and instruction_set. */
-    int32_t give_back; /* the samples of each pixel (1 where they are not known): light is given back that the filter took out by mistake, by
-                          what the picture lacks of its samples, in this frame and in the one before too. 0: none. Presets of one colour that
-                          read normal, depth and motion can, without alpha, before anti-aliasing; it takes time and memory (docs/library.md). */
-    void *stream;     /* with QUELL_CUDA: a cudaStream_t; null is the default stream */
 } quell_settings;
 #ifdef __cplusplus
 #define QUELL_SETTINGS \
     quell_settings {                                                                                                                       \
-        sizeof(quell_settings), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, 0, 0, 0, {}, 0, 0, 0, 0, 0,     \
+        sizeof(quell_settings), nullptr, nullptr, 0, 0, 0, 0, 0, 0, {}, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,        \
             nullptr                                                                                                                        \
     }
 #else
 #define QUELL_SETTINGS \
-    ((quell_settings){sizeof(quell_settings), NULL, 0, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0, 0, 0, 0, \
-                      NULL})
+    ((quell_settings){sizeof(quell_settings), NULL, NULL, 0, 0, 0, 0, 0, 0, {0, 0, 0, 0}, 0, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL})
 #endif
 
 /* Counts. Start from QUELL_STATISTICS. */
@@ -209,6 +195,8 @@ QUELL_CALL const char *quell_error(void);
 QUELL_CALL const char *quell_preset_name(int32_t index);
 /* Names of presets that a device denoises by; null behind the last: with QUELL_CUDA none, where the library was built without CUDA. */
 QUELL_CALL const char *quell_device_preset_name(int32_t device, int32_t index);
+/* Names of stages that a device knows, in the order in which they are put around a preset; null behind the last. */
+QUELL_CALL const char *quell_stage_name(int32_t device, int32_t index);
 /* Names of instruction sets that the library is compiled for, the best first; null behind the last. */
 QUELL_CALL const char *quell_instruction_set_name(int32_t index);
 
@@ -243,7 +231,7 @@ QUELL_CALL quell_status quell_run(quell_denoiser *denoiser, const quell_frame *f
 /* Denoises the first of some frames that follow each other, with those after it and those before it: offline, moving light lags less so, and
  * what has just come into view has a past. The first frame's output is written; the others need none. Each call moves one frame on, and the
  * last ones have fewer frames after them. Two frames after the first are enough. Where frames lack the optional channel motion_next, it is
- * made of the next frame's motion. The denoiser was made with settings.two_sided. */
+ * made of the next frame's motion. The denoiser was made with the stage two-sided. */
 QUELL_CALL quell_status quell_run_two_sided(quell_denoiser *denoiser, const quell_frame *frames, size_t count);
 /* Copies a guide of the frame that was run last to an image of its size. After a frame that was refused it is that of the frame before it;
  * after one that ran out of memory there is none. */

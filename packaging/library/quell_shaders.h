@@ -25,13 +25,14 @@ typedef struct quell_shaders quell_shaders;
 /* What was wrong with this thread's last call that returned a quell_status; empty where nothing was. */
 QUELL_CALL const char *quell_shaders_error(void);
 
-/* Names of the presets that can be written; null beyond the last. */
+/* Names of the presets that can be written, and behind them those of stages, which read the channel denoised: what a preset has made. Null
+ * beyond the last. */
 QUELL_CALL const char *quell_shaders_preset_name(int32_t index);
 /* Names of the languages that they can be written in; null beyond the last. */
 QUELL_CALL const char *quell_shaders_language_name(int32_t index);
 
 /* Writes a preset as shaders, in memory.
- * @param preset   one that quell_shaders_preset_name() lists
+ * @param preset   or stage: one that quell_shaders_preset_name() lists
  * @param language "wgsl", or "glsl" for Vulkan. Others are made from glsl, by glslangValidator and spirv-cross: the program quell-shaders
  *                 does it.
  * @param shaders  set to them; to null where they can't be written */
@@ -47,12 +48,13 @@ typedef struct quell_shaders_options {
     int32_t texel_loads;      /* 1: GLSL loads planes by texelFetch, for devices that are a CPU */
     int32_t workgroup_width;  /* threads of a workgroup along each axis, 128 in all at most. 0: 8 */
     int32_t workgroup_height;
+    int32_t samples_per_pixel; /* for stages; 0: not known, which is taken for 1 */
 } quell_shaders_options;
 #ifdef __cplusplus
 #define QUELL_SHADERS_OPTIONS                                                                                                              \
-    quell_shaders_options { sizeof(quell_shaders_options), 0, 0, 0, 0, 0, 0, 0, 0 }
+    quell_shaders_options { sizeof(quell_shaders_options), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 #else
-#define QUELL_SHADERS_OPTIONS ((quell_shaders_options){sizeof(quell_shaders_options), 0, 0, 0, 0, 0, 0, 0, 0})
+#define QUELL_SHADERS_OPTIONS ((quell_shaders_options){sizeof(quell_shaders_options), 0, 0, 0, 0, 0, 0, 0, 0, 0})
 #endif
 /* The same with options; null: none. */
 QUELL_CALL quell_status quell_shaders_create_with(const char *preset, const char *language, const quell_shaders_options *options,

@@ -58,6 +58,9 @@ quell_status create(std::string const& preset, std::string const& language, quel
                         "language: '" + language + "' is made from glsl by other programs; the program quell-shaders runs them");
         return fail(QUELL_INVALID_ARGUMENT, "language: '" + language + "'; give one of: " + names(languages));
     }
+    if (options.samples_per_pixel < 0)
+        return fail(QUELL_INVALID_ARGUMENT, "options.samples_per_pixel: " + std::to_string(options.samples_per_pixel) +
+                                                "; give their number, or 0 where that is not known");
     constexpr int most_fill_holes = quell::RecordOptions::most_fill_holes;
     if (options.fill_holes < 0 || options.fill_holes > most_fill_holes)
         return fail(QUELL_INVALID_ARGUMENT, "options.fill_holes: " + std::to_string(options.fill_holes) + "; give 0 to " +
@@ -79,7 +82,8 @@ quell_status create(std::string const& preset, std::string const& language, quel
                                      .half_precision = options.half_precision != 0,
                                      .most_slots = options.most_slots,
                                      .texel_loads = options.texel_loads != 0,
-                                     .workgroup = workgroup});
+                                     .workgroup = workgroup},
+                                    static_cast<float>(std::max(options.samples_per_pixel, 1)));
     *shaders = new quell_shaders{quell::shader_files(plan, in->language, in->extension), quell::to_json(plan, in->extension)};
     return QUELL_OK;
 }

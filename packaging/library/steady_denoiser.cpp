@@ -14,70 +14,51 @@ namespace quell_library {
 
 namespace {
 
-using quell::Extent;
-
-class SteadyDenoiser final : public WrappedDenoiser {
-    template <class C> using Steady = quell::SteadyGuides<quell::Channels<C>, OwnImages>;
-    using Copied = quell::Channels<quell::Motion, quell::Depth, quell::Albedo>;
+template <class C> class SteadyDenoiser final : public WrappedDenoiser {
+    using Copied = quell::Channels<quell::Motion, C>;
 
     std::vector<ReadChannel> const& channels;
-    SteadyChoice which;
     Memory memory;
     OnOwnImages executor;
     quell::Frame<Copied, OwnImages> frame;
-    std::optional<Steady<quell::Depth>> depth;
-    std::optional<Steady<quell::Albedo>> albedo;
+    quell::SteadyGuides<quell::Channels<C>, OwnImages> steady;
     std::vector<FrameImages> changed{1};
 
 public:
-    SteadyDenoiser(std::unique_ptr<CompiledDenoiser> d, std::vector<ReadChannel> const& c, SteadyChoice w, Extent size,
-                   Parallel const& parallel, Memory const& m)
-        : WrappedDenoiser(std::move(d)), channels(c), which(w), memory(m), executor{parallel}, frame((use(m), size)) {
-        make_histories();
-    }
+    SteadyDenoiser(std::unique_ptr<CompiledDenoiser> d, std::vector<ReadChannel> const& c, quell::Extent size, Parallel const& parallel,
+                   Memory const& m)
+        : WrappedDenoiser(std::move(d)), channels(c), memory(m), executor{parallel}, frame((use(m), size)), steady(size) {}
 
     void run(std::span<FrameImages const> window, Image const& output) override {
         use(memory);
         take(window.front());
         try {
-            if (depth) depth->apply(frame, executor);
-            if (albedo) albedo->apply(frame, executor);
+            steady.apply(frame, executor);
             denoiser->run(changed, output);
-        } catch (...) { // the frame is among the guides' already
-            forget_guides();
+        } catch (...) { // the frame is among the guide's already
+            steady.forget();
             throw;
         }
     }
-    void forget() override { denoiser->forget(), forget_guides(); }
+    void forget() override { denoiser->forget(), steady.forget(); }
     void release_scratch() override { denoiser->release_scratch(), frame = decltype(frame)({1, 1}); }
     [[nodiscard]] std::size_t bytes() const override {
-        std::size_t sum = denoiser->bytes() + (depth ? depth->bytes() : 0) + (albedo ? albedo->bytes() : 0);
-        for_each_channel(Copied{}, [&](auto channel) { sum += frame[channel].bytes(); });
-        return sum;
+        return denoiser->bytes() + steady.bytes() + frame[quell::motion].bytes() + frame[C{}].bytes();
     }
 
 private:
     static void use(Memory const& memory) { CallersMemory::current() = memory; }
-    void make_histories() {
-        if (which.depth) depth.emplace(frame.size);
-        if (which.albedo) albedo.emplace(frame.size);
-    }
-    void forget_guides() {
-        if (depth) depth->forget();
-        if (albedo) albedo->forget();
-    }
-    /// Copies motion and guides, and lets the frame that is denoised have these.
+    /// Copies motion and guide, and lets the frame that is denoised have these.
     void take(FrameImages const& given) {
         if (!(frame.size == given.size)) frame = decltype(frame)(given.size);
         auto& images = changed.front();
         images = given;
-        for_each_channel(Copied{}, [&]<class C>(C channel) {
+        for_each_channel(Copied{}, [&](auto channel) {
             auto const place = std::ranges::find(channels, channel.name, &ReadChannel::name);
-            if (place == channels.end()) return;
             auto& image = images.channels[static_cast<std::size_t>(place - channels.begin())];
             auto const view = frame[channel].view();
             for_each_strip(executor.parallel, frame.size.height, [&](int y0, int y1) {
-                take_rows(image, C::components, view.planes, view.row_stride(), frame.size.width, y0, y1);
+                take_rows(image, channel.components, view.planes, view.row_stride(), frame.size.width, y0, y1);
             });
             image = image_of_view(view);
         });
@@ -87,9 +68,24 @@ private:
 
 } // namespace
 
-std::unique_ptr<CompiledDenoiser> with_steady_guides(std::unique_ptr<CompiledDenoiser> denoiser, std::vector<ReadChannel> const& channels,
-                                                     SteadyChoice which, Extent size, Parallel const& parallel, Memory const& memory) {
-    return std::make_unique<SteadyDenoiser>(std::move(denoiser), channels, which, size, parallel, memory);
+template <class C> std::string plan_of_steady() {
+    // A copy of motion and guide; of the guide a mean and its number of frames, of this frame and the last one, and what comes out.
+    constexpr int floats = quell::Motion::components + C::components + 2 * (C::components + 1) + C::components;
+    return "Before it, " + std::string(C::name) + " is accumulated along the motion, over 8 frames at most, which takes " +
+           std::to_string(floats * static_cast<int>(sizeof(float))) + " bytes a pixel of the frames.\n\n";
 }
+template <class C>
+std::unique_ptr<CompiledDenoiser> with_steady_guide(std::unique_ptr<CompiledDenoiser> denoiser, std::vector<ReadChannel> const& channels,
+                                                    quell::Extent size, Parallel const& parallel, Memory const& memory) {
+    return std::make_unique<SteadyDenoiser<C>>(std::move(denoiser), channels, size, parallel, memory);
+}
+
+#define QUELL_STEADY(C)                                                                                                                    \
+    template std::string plan_of_steady<C>();                                                                                              \
+    template std::unique_ptr<CompiledDenoiser> with_steady_guide<C>(std::unique_ptr<CompiledDenoiser>, std::vector<ReadChannel> const&,    \
+                                                                    quell::Extent, Parallel const&, Memory const&);
+QUELL_STEADY(quell::Depth)
+QUELL_STEADY(quell::Albedo)
+#undef QUELL_STEADY
 
 } // namespace quell_library

@@ -123,26 +123,23 @@ class Denoiser {
         void operator()(quell_denoiser* denoiser) const { quell_destroy(denoiser); }
     };
     std::unique_ptr<quell_denoiser, Destroy> denoiser;
-    bool is_two_sided;
     int guide_width, guide_height; ///< of the frame that was run last
     bool is_running = false;       ///< by any thread; of those, one at a time holds Python's lock
 
 public:
     /// @param motion      the four numbers of quell_motion
     /// @param output_size height and width of what comes out; 0, 0: the frames' own
-    /// @param steady_guides, choose_history, give_back, device the numbers of quell_settings
+    /// @param stages, samples_per_pixel, device as quell_settings has them
     /// @param stream of the device
-    Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, bool two_sided, bool alpha,
-             py::tuple const& motion, bool anti_alias, py::tuple const& output_size, int steady_guides, int choose_history, int give_back,
-             int device, std::uintptr_t stream)
-        : is_two_sided(two_sided), guide_width(w), guide_height(h) {
+    Denoiser(std::string const& preset, int w, int h, int threads, char const* instruction_set, std::string const& stages,
+             int samples_per_pixel, bool alpha, py::tuple const& motion, py::tuple const& output_size, int device, std::uintptr_t stream)
+        : guide_width(w), guide_height(h) {
         quell_settings settings = QUELL_SETTINGS;
         settings.preset = preset.c_str(), settings.width = w, settings.height = h;
         settings.threads = threads, settings.instruction_set = instruction_set;
-        settings.two_sided = two_sided, settings.alpha = alpha, settings.anti_alias = anti_alias;
+        settings.stages = stages.c_str(), settings.samples_per_pixel = samples_per_pixel, settings.alpha = alpha;
         settings.output_height = output_size[0].cast<int>(), settings.output_width = output_size[1].cast<int>();
         settings.motion = {motion[0].cast<int>(), motion[1].cast<int>(), motion[2].cast<int>(), motion[3].cast<int>()};
-        settings.steady_guides = steady_guides, settings.choose_history = choose_history, settings.give_back = give_back;
         settings.device = device, settings.stream = reinterpret_cast<void*>(stream);
         quell_denoiser* made = nullptr;
         check(quell_create(&settings, &made));
@@ -167,8 +164,7 @@ public:
         is_running = true;
         {
             py::gil_scoped_release const released;
-            status = is_two_sided || all.size() > 1 ? quell_run_two_sided(denoiser.get(), all.data(), all.size())
-                                                    : quell_run(denoiser.get(), all.data());
+            status = all.size() > 1 ? quell_run_two_sided(denoiser.get(), all.data(), all.size()) : quell_run(denoiser.get(), all.data());
         }
         is_running = false;
         check(status);
@@ -269,10 +265,11 @@ py::list names(auto const& name_of) {
 PYBIND11_MODULE(_library, module) {
     module.attr("version") = quell_version();
     module.def("presets", [](int device) { return names([&](std::int32_t i) { return quell_device_preset_name(device, i); }); });
+    module.def("stages", [](int device) { return names([&](std::int32_t i) { return quell_stage_name(device, i); }); });
     module.def("tensor_in", tensor_in);
     module.def("instruction_sets", [] { return names(quell_instruction_set_name); });
     py::class_<Denoiser>(module, "Denoiser")
-        .def(py::init<std::string const&, int, int, int, char const*, bool, bool, py::tuple const&, bool, py::tuple const&, int, int, int,
+        .def(py::init<std::string const&, int, int, int, char const*, std::string const&, int, bool, py::tuple const&, py::tuple const&,
                       int, std::uintptr_t>())
         .def("run", &Denoiser::run)
         .def("forget", &Denoiser::forget)

@@ -21,11 +21,11 @@ py::list names(char const* (*name_of)(std::int32_t)) {
 
 /// The plan, and texts by the names of their files.
 py::tuple create(std::string const& preset, std::string const& language, bool repair_guides, int fill_holes, bool counts, int most_slots,
-                 bool half_precision, bool texel_loads, std::pair<int, int> workgroup) {
+                 bool half_precision, bool texel_loads, std::pair<int, int> workgroup, int samples_per_pixel) {
     auto options = QUELL_SHADERS_OPTIONS;
     options.repair_guides = repair_guides, options.fill_holes = fill_holes, options.counts = counts, options.most_slots = most_slots;
     options.half_precision = half_precision, options.texel_loads = texel_loads;
-    options.workgroup_width = workgroup.first, options.workgroup_height = workgroup.second;
+    options.workgroup_width = workgroup.first, options.workgroup_height = workgroup.second, options.samples_per_pixel = samples_per_pixel;
     quell_shaders* made = nullptr;
     quell_status status = QUELL_OK;
     std::string sentence;

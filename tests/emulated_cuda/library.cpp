@@ -126,12 +126,16 @@ constexpr auto everywhere = [](std::string_view) { return true; };
 constexpr auto nowhere = [](std::string_view) { return false; };
 
 /// The pictures of the steps of one size.
-void check_bits(auto const& is_on_device) {
-    auto const expected = device::by_serial(2);
+/// @param stages behind the preset; null: none
+/// @param number of the preset that Serial runs
+void check_bits(auto const& is_on_device, char const* stages = nullptr, int number = 2) {
+    auto const expected = device::by_serial(number);
     cudaStream_t stream = nullptr;
     cudaStreamCreate(&stream);
     {
-        auto const denoiser = made(settings_of(stream));
+        auto settings = settings_of(stream);
+        settings.stages = stages, settings.samples_per_pixel = 4;
+        auto const denoiser = made(settings);
         for (std::size_t i = 0; i < 6; ++i) {
             CAPTURE(i);
             if (device::steps[i].forgotten) quell_forget(denoiser.get());
@@ -157,8 +161,27 @@ TEST_CASE("libquell gives the bits of Serial from device pointers, from the host
     check_bits([](std::string_view name) { return name == "normal" || name == "output"; });
 }
 
+TEST_CASE("libquell puts stages behind a preset on the device: light with the bits of Serial, and one of a host's own") {
+    check_bits(everywhere, "light", 5);
+    check_bits(nowhere, "light", 5);
+    check_bits([](std::string_view name) { return name == "radiance"; }, "light", 5);
+
+    auto settings = settings_of();
+    settings.stages = "half";
+    auto const denoiser = made(settings);
+    Given const given(rendered(0), everywhere);
+    REQUIRE(quell_run(denoiser.get(), &given.frame) == QUELL_OK);
+    cudaStreamSynchronize(nullptr);
+    auto const picture = given.picture(), plain = device::by_serial(2)[0].picture;
+    auto const samples = device::components_of_picture(rendered(0)[quell::radiance].view());
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        CHECK(picture[i] == doctest::Approx(quell::is_finite(samples[i]) ? .5f * (plain[i] + samples[i]) : plain[i]));
+}
+
 TEST_CASE("a warm frame of device pointers allocates nothing, waits for nothing and is on its way when quell_run returns") {
-    auto const denoiser = made(settings_of());
+    auto settings = settings_of();
+    settings.stages = "light,half";
+    auto const denoiser = made(settings);
     Given given(rendered(0), everywhere);
     for (int i = 0; i < 4; ++i, ++given.frame.number) REQUIRE(quell_run(denoiser.get(), &given.frame) == QUELL_OK);
     cudaStreamSynchronize(nullptr);
@@ -200,17 +223,20 @@ TEST_CASE("what has to be converted is, on the device as from the host") {
 TEST_CASE("what a device can't do is said, and what it lacks") {
     auto const settings = settings_of();
     auto changed = settings;
-    changed.two_sided = 1;
+    changed.stages = "two-sided";
     CHECK(refused(changed, QUELL_NOT_SUPPORTED) ==
-          "settings.device: QUELL_CUDA with two_sided, which a device does not know; leave one of the two out");
+          "settings.stages: there is no 'two-sided' for CUDA; give some of these, with commas between: light, half");
     changed = settings, changed.output_width = 2 * width, changed.output_height = 2 * height;
-    CHECK(refused(changed, QUELL_NOT_SUPPORTED).find("output of another size") != std::string::npos);
+    CHECK(refused(changed, QUELL_NOT_SUPPORTED).find("no 'resolve' for CUDA") != std::string::npos);
     changed = settings, changed.preset = "trmv";
     CHECK(refused(changed, QUELL_UNKNOWN_PRESET) == "settings.preset: there is no 'trmv' for CUDA; give one of: svgf");
     changed = settings, changed.device = 7;
     CHECK(refused(changed, QUELL_INVALID_ARGUMENT) == "settings.device: 7; give QUELL_CPU or QUELL_CUDA");
     CHECK(std::string(quell_device_preset_name(QUELL_CUDA, 0)) == "svgf");
     CHECK(quell_device_preset_name(QUELL_CUDA, 1) == nullptr);
+    CHECK(std::string(quell_stage_name(QUELL_CUDA, 0)) == "light");
+    CHECK(std::string(quell_stage_name(QUELL_CUDA, 1)) == "half");
+    CHECK(quell_stage_name(QUELL_CUDA, 2) == nullptr);
 
     device::fail("cudaGetDeviceCount", 0, cudaErrorNoDevice);
     CHECK(refused(settings, QUELL_NOT_SUPPORTED) ==

@@ -47,7 +47,7 @@ template <int number> constexpr auto preset() {
     if constexpr (number == 2) return presets::svgf(radiance, Demodulate{});
     if constexpr (number == 3) return presets::glossy();
     if constexpr (number == 4) return presets::by_evidence(presets::surface_clamp(radiance, SuppressFireflies{}));
-    if constexpr (number == 5) return Chain{presets::surface_clamp(radiance), light_given_back(radiance, 4.f)};
+    if constexpr (number == 5) return Chain{presets::svgf(radiance, Demodulate{}), light_given_back(radiance, 4.f)};
     // Those that take long to compile: preset.cpp.
     if constexpr (number == 6) return presets::shadow();
     if constexpr (number == 7) return presets::dual_cone();

@@ -39,7 +39,7 @@ std::vector<std::vector<float>> pictures_in_c(quell_settings const& settings) {
 }
 quell_settings choosing(char const* preset) {
     auto settings = settings_of(preset);
-    settings.choose_history = 1;
+    settings.stages = "evidence", settings.samples_per_pixel = 1;
     return settings;
 }
 bool has(char const* preset) {
@@ -88,7 +88,7 @@ TEST_CASE("a choice of histories: bit for bit what the headers make, in C and in
           }) == wanted);
     CHECK(denoiser.statistics().frames == frames);
     CHECK(denoiser.plan().find("put together by evidence") != std::string::npos);
-    settings.choose_history = 0;
+    settings.stages = nullptr;
     CHECK(pictures_in_c(settings) != wanted);
 }
 
@@ -102,13 +102,13 @@ TEST_CASE("a choice of histories: nothing is allocated in warm frames, also behi
         static void release(void*, void* memory) { ::operator delete (memory, std::align_val_t{64}); }
     };
     for (char const* const preset : {"svgf", "general", "final-frame"})
-        for (int32_t const more : {0, 1}) {
+        for (bool const more : {false, true}) {
             if (!has(preset)) continue;
             CAPTURE(preset);
             Counted counted;
             auto settings = choosing(preset);
             settings.allocate = Counted::allocate, settings.release = Counted::release, settings.memory_user = &counted;
-            settings.anti_alias = more, settings.steady_guides = more;
+            if (more) settings.stages = "evidence,resolve,steady-depth";
             auto const denoiser = made(settings);
             JumpingWall wall;
             quell_camera const camera{};
@@ -136,7 +136,7 @@ TEST_CASE("a choice of histories: the history has the say where nothing changes,
         if (!has(preset)) continue;
         CAPTURE(preset);
         auto settings = choosing(preset);
-        settings.two_sided = 1;
+        settings.stages = "two-sided, evidence";
         auto const denoiser = made(settings);
         auto const alone = made(settings_of(preset));
         std::vector<JumpingWall> walls(10);
@@ -157,10 +157,10 @@ TEST_CASE("a choice of histories: what has none is refused with a sentence") {
     for (char const* const preset : {"none", "trmv"}) {
         if (!has(preset)) continue;
         auto settings = settings_of(preset);
-        settings.choose_history = 1;
-        check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"settings.choose_history", preset, "leave it 0"});
+        settings.stages = "evidence";
+        check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"settings.stages", preset, "leave 'evidence' out"});
     }
     auto settings = settings_of("none");
-    settings.choose_history = -4;
-    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"settings.choose_history", "-4", "samples"});
+    settings.samples_per_pixel = -4;
+    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"settings.samples_per_pixel", "-4"});
 }

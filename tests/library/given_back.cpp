@@ -26,7 +26,7 @@ struct StripedWall : Wall {
 };
 quell_settings giving_back(char const* preset = "svgf") {
     auto settings = settings_of(preset);
-    settings.give_back = samples;
+    settings.stages = "light", settings.samples_per_pixel = samples;
     return settings;
 }
 std::vector<std::vector<float>> pictures_of(quell_settings const& settings) {
@@ -91,10 +91,10 @@ TEST_CASE("light given back: bit for bit what the headers give back, in C and in
         for (int32_t i = count; i-- > 0;) task(context, i);
     };
     CHECK(pictures_of(settings) == wanted);
-    settings.give_back = 0;
+    settings.stages = nullptr;
     CHECK(pictures_of(settings) == plain);
-    CHECK(quell::Denoiser(giving_back()).plan().find("light is given back") != std::string::npos);
-    CHECK(quell::Denoiser(settings_of()).plan().find("light is given back") == std::string::npos);
+    CHECK(quell::Denoiser(giving_back()).plan().find("Behind it, light:") != std::string::npos);
+    CHECK(quell::Denoiser(settings_of()).plan().find("Behind it, light:") == std::string::npos);
 }
 
 TEST_CASE("light given back: an even picture stays, and stripes that the filter blurs come back") {
@@ -139,9 +139,9 @@ TEST_CASE("light given back: with frames to come, a choice of histories, steady 
     for (char const* const preset : {"general", "final-frame"}) {
         if (!has(preset)) continue;
         CAPTURE(preset);
-        auto const run = [&](int32_t give_back, int32_t choice, int32_t anti_alias) {
+        auto const run = [&](std::string const& stages) {
             auto settings = settings_of(preset);
-            settings.two_sided = 1, settings.give_back = give_back, settings.choose_history = choice, settings.anti_alias = anti_alias;
+            settings.stages = stages.c_str(), settings.samples_per_pixel = samples;
             auto const denoiser = made(settings);
             StripedWall wall;
             quell_camera const camera{};
@@ -153,19 +153,18 @@ TEST_CASE("light given back: with frames to come, a choice of histories, steady 
             }
             return wall.out;
         };
-        for (int32_t const choice : {0, 1})
-            for (int32_t const anti_alias : {0, 1}) {
-                auto const with = run(samples, choice, anti_alias), without = run(0, choice, anti_alias);
-                CHECK(is_finite(with));
-                CHECK(with != without);
-            }
+        for (std::string const others : {"two-sided", "evidence,two-sided", "two-sided,resolve", "resolve,two-sided,evidence"}) {
+            auto const with = run(others + ",light"), without = run(others);
+            CHECK(is_finite(with));
+            CHECK(with != without);
+        }
         auto transparent = settings_of(preset);
-        transparent.alpha = 1, transparent.give_back = samples;
+        transparent.alpha = 1, transparent.stages = "light";
         quell_denoiser* none = nullptr;
-        check_refused(quell_create(&transparent, &none), QUELL_INVALID_ARGUMENT, {"settings.give_back", "settings.alpha", "leave one"});
+        check_refused(quell_create(&transparent, &none), QUELL_NOT_SUPPORTED, {"settings.stages", "alpha", "leave 'light' out"});
     }
     auto settings = giving_back();
-    settings.steady_guides = 3, settings.output_width = 2 * width, settings.output_height = 2 * height;
+    settings.stages = "light,steady-depth,steady-albedo", settings.output_width = 2 * width, settings.output_height = 2 * height;
     quell::Denoiser denoiser(settings);
     StripedWall wall;
     std::vector<float> out(4 * wall.out.size());
@@ -227,8 +226,8 @@ TEST_CASE("light given back: its memory is counted, warm frames take none, and w
         return ++its.calls > its.allowed ? nullptr : ::operator new (bytes, std::align_val_t{alignment}, std::nothrow);
     };
     settings.release = [](void*, void* memory) { ::operator delete (memory, std::align_val_t{64}); };
-    auto const bytes_with = [&](int32_t give_back) {
-        settings.give_back = give_back;
+    auto const bytes_with = [&](char const* stages) {
+        settings.stages = stages;
         quell::Denoiser denoiser(settings);
         StripedWall wall;
         for (unsigned i = 0; i < 3; ++i) {
@@ -240,11 +239,11 @@ TEST_CASE("light given back: its memory is counted, warm frames take none, and w
         return denoiser.statistics().bytes;
     };
     auto const planned = quell::plan_of(quell::light_given_back(quell::radiance, 1.f)).bytes_per_pixel;
-    auto const more_bytes = static_cast<double>(bytes_with(samples) - bytes_with(0)) / static_cast<double>(pixels);
+    auto const more_bytes = static_cast<double>(bytes_with("light") - bytes_with(nullptr)) / static_cast<double>(pixels);
     CHECK(more_bytes > planned); // rows of images are padded, and normals and depths copied
     CHECK(more_bytes < 1.6 * planned + 60.);
 
-    settings.give_back = samples;
+    settings.stages = "light";
     auto const denoiser = made(settings);
     StripedWall wall;
     long long warm = 0;
@@ -281,9 +280,6 @@ TEST_CASE("light given back: what can't is refused with a sentence") {
         if (!has(preset)) continue;
         CAPTURE(preset);
         auto const settings = giving_back(preset);
-        check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"settings.give_back", preset, "leave it 0"});
+        check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"settings.stages", preset, "leave 'light' out"});
     }
-    auto settings = settings_of();
-    settings.give_back = -3;
-    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"settings.give_back", "-3", "samples"});
 }

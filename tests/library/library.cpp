@@ -112,7 +112,7 @@ TEST_CASE("motion of another convention is read as what it means") {
 
 TEST_CASE("frames after the first make a picture cleaner, with alpha too") {
     auto settings = settings_of("general");
-    settings.two_sided = 1;
+    settings.stages = "two-sided";
     auto const noise_with = [&](std::size_t count) {
         auto const denoiser = made(settings);
         bool const alpha = settings.alpha != 0;
@@ -148,13 +148,13 @@ TEST_CASE("frames after the first make a picture cleaner, with alpha too") {
 
     auto const denoiser = made();
     Wall wall;
-    check_refused(quell_run_two_sided(denoiser.get(), wall.ready(), 1), QUELL_NOT_SUPPORTED, {"settings.two_sided"});
+    check_refused(quell_run_two_sided(denoiser.get(), wall.ready(), 1), QUELL_NOT_SUPPORTED, {"settings.stages", "two-sided"});
     check_refused(quell_run_two_sided(denoiser.get(), nullptr, 1), QUELL_INVALID_ARGUMENT, {"frames"});
     quell_denoiser* none = nullptr;
     settings.preset = "svgf";
     check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"alpha", "svgf", "general"});
     settings.alpha = 0;
-    check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"two_sided", "svgf"});
+    check_refused(quell_create(&settings, &none), QUELL_NOT_SUPPORTED, {"two-sided", "svgf"});
 }
 
 TEST_CASE("results depend neither on the number of threads nor on whose they are") {

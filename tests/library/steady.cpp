@@ -49,9 +49,9 @@ template <class... Steady> std::vector<float> third_of_steady(Steady... steady) 
     }
     return wall.out;
 }
-std::vector<float> third_with(int32_t steady_guides) {
+std::vector<float> third_with(char const* stages) {
     auto settings = settings_of();
-    settings.steady_guides = steady_guides;
+    settings.stages = stages;
     auto const denoiser = made(settings);
     NoisyWall wall;
     for (unsigned i = 0; i < 3; ++i) {
@@ -65,11 +65,11 @@ std::vector<float> third_with(int32_t steady_guides) {
 
 TEST_CASE("steady guides: bit for bit what the headers make of the same guides") {
     using namespace quell;
-    CHECK(third_with(0) == third_of_steady());
-    CHECK(third_with(1) == third_of_steady(SteadyGuides<Channels<Depth>>{{width, height}}));
-    CHECK(third_with(2) == third_of_steady(SteadyGuides<Channels<Albedo>>{{width, height}}));
-    CHECK(third_with(3) == third_of_steady(SteadyGuides<Channels<Depth, Albedo>>{{width, height}}));
-    CHECK(third_with(1) != third_with(0));
+    CHECK(third_with(nullptr) == third_of_steady());
+    CHECK(third_with("steady-depth") == third_of_steady(SteadyGuides<Channels<Depth>>{{width, height}}));
+    CHECK(third_with("steady-albedo") == third_of_steady(SteadyGuides<Channels<Albedo>>{{width, height}}));
+    CHECK(third_with("steady-albedo,steady-depth") == third_of_steady(SteadyGuides<Channels<Depth, Albedo>>{{width, height}}));
+    CHECK(third_with("steady-depth") != third_with(nullptr));
 }
 
 TEST_CASE("steady guides: the plan says them, and what the headers' histories take") {
@@ -79,27 +79,26 @@ TEST_CASE("steady guides: the plan says them, and what the headers' histories ta
     SteadyGuides<Channels<Albedo>> of_albedo{{width, height}};
     for (int i = 0; i < 2; ++i) of_depth.apply(frame), of_albedo.apply(frame);
     std::size_t const plane = Planar<>::Image<1>({width, height}).bytes(); // a float a pixel
-    auto const copied = Depth::components + Albedo::components + Motion::components;
-    auto const plan_with = [&](int32_t steady_guides) {
+    auto const plan_with = [&](char const* stages) {
         auto settings = settings_of();
-        settings.steady_guides = steady_guides;
+        settings.stages = stages;
         return std::string(quell_plan(made(settings).get()));
     };
-    auto const plan = plan_with(0);
-    auto const sentence = [&](std::string const& guides, std::size_t bytes) {
-        auto const floats = static_cast<std::size_t>(copied) + bytes / plane;
-        return "Before it, " + guides + " accumulated along the motion, over 8 frames at most, which takes " + std::to_string(4 * floats) +
-               " bytes a pixel of the frames.\n\n";
+    auto const plan = plan_with(nullptr);
+    auto const sentence = [&](auto guide, std::size_t bytes) {
+        auto const floats = static_cast<std::size_t>(guide.components + Motion::components) + bytes / plane;
+        return "Before it, " + std::string(guide.name) + " is accumulated along the motion, over 8 frames at most, which takes " +
+               std::to_string(4 * floats) + " bytes a pixel of the frames.\n\n";
     };
     CHECK(plan.find("accumulated along") == plan.npos);
-    CHECK(plan_with(1) == sentence("depth is", of_depth.bytes()) + plan);
-    CHECK(plan_with(2) == sentence("albedo is", of_albedo.bytes()) + plan);
-    CHECK(plan_with(3) == sentence("depth and albedo are", of_depth.bytes() + of_albedo.bytes()) + plan);
+    CHECK(plan_with("steady-depth") == sentence(depth, of_depth.bytes()) + plan);
+    CHECK(plan_with("steady-albedo") == sentence(albedo, of_albedo.bytes()) + plan);
+    CHECK(plan_with("steady-depth,steady-albedo") == sentence(depth, of_depth.bytes()) + sentence(albedo, of_albedo.bytes()) + plan);
 }
 
 TEST_CASE("steady guides: anti-aliased too; forget() drops them; what cannot be is refused with a sentence") {
     auto settings = settings_of();
-    settings.steady_guides = 3, settings.anti_alias = 1;
+    settings.stages = "steady-depth,steady-albedo,resolve";
     auto const denoiser = made(settings);
     NoisyWall wall;
     quell_camera const camera{};
@@ -114,11 +113,15 @@ TEST_CASE("steady guides: anti-aliased too; forget() drops them; what cannot be 
     CHECK(wall.out == first);
 
     quell_denoiser* none = nullptr;
-    settings.steady_guides = 4;
-    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"steady_guides", "4"});
-    settings.steady_guides = 1, settings.two_sided = 1;
-    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"steady_guides", "two_sided"});
-    settings = settings_of("none"), settings.steady_guides = 1;
+    settings.stages = "steady-colour";
+    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"settings.stages", "'steady-colour'", "steady-depth"});
+    settings.stages = "steady-depth,resolve,steady-depth";
+    check_refused(quell_create(&settings, &none), QUELL_INVALID_ARGUMENT, {"settings.stages", "'steady-depth'", "twice"});
+    settings = settings_of("general"), settings.stages = "steady-depth,two-sided";
+    auto const with_later = quell_create(&settings, &none);
+    if (with_later != QUELL_UNKNOWN_PRESET)
+        check_refused(with_later, QUELL_NOT_SUPPORTED, {"settings.stages", "steady-depth", "two-sided"});
+    settings = settings_of("none"), settings.stages = "steady-depth";
     auto const refused = quell_create(&settings, &none);
-    if (refused != QUELL_UNKNOWN_PRESET) check_refused(refused, QUELL_NOT_SUPPORTED, {"steady_guides", "'none'", "depth"});
+    if (refused != QUELL_UNKNOWN_PRESET) check_refused(refused, QUELL_NOT_SUPPORTED, {"settings.stages", "'none'", "depth"});
 }

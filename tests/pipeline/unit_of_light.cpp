@@ -1,11 +1,12 @@
 #include "../frames.hpp"
 #include "../views.hpp"
 
-#include <library/given_back.hpp>
 #include <library/history_choice.hpp>
 #include <library/images_of_frame.hpp>
 #include <library/resolved_denoiser.hpp>
+#include <library/stage.hpp>
 
+#include <algorithm>
 #include <limits>
 
 using namespace quell;
@@ -109,21 +110,22 @@ TEST_CASE("the unit of light changes no bit: what stands behind presets") {
         if (preset.name != "general" && preset.name != "final-frame" && preset.name != "svgf") continue;
         CAPTURE(preset.name);
         auto const& judge = library::judge_of(preset);
+        Extent const twice{2 * size.width, 2 * size.height};
+        auto const staged = [&](library::Way const& way, library::Way const& of_judge, std::vector<std::string_view> const& names) {
+            library::Memory const memory;
+            auto denoiser = way.make(size, here, memory);
+            for (auto const& stage : library::stages())
+                if (std::ranges::find(names, stage.name) != names.end())
+                    denoiser = stage.put(std::move(denoiser), {way, of_judge, way.channels, size, twice, 4.f, true, here, memory});
+            return denoiser;
+        };
         for (bool const is_two_sided : {false, true}) {
             auto const &way = is_two_sided ? preset.two_sided : preset.usual, &of_judge = is_two_sided ? judge.two_sided : judge.usual;
-            if (!way) continue;
-            check_way(way, [&] {
-                auto choice = library::make_history_choice(way, of_judge, size, here, {});
-                choice->tell_samples(4.f);
-                auto denoiser = library::with_history_choice(way.make(size, here, {}), std::move(choice));
-                return library::with_light_given_back(std::move(denoiser), way, true, 4.f, size, here, {});
-            });
+            if (way) check_way(way, [&] { return staged(way, of_judge, {"evidence", "light"}); });
         }
         auto resolved = preset.usual;
         resolved.channels = library::channels_of_resolved(preset.usual);
-        Extent const twice{2 * size.width, 2 * size.height};
         check_way(
-            resolved, [&] { return library::make_resolved(preset.usual.make(size, here, {}), preset.usual, size, twice, here, {}); },
-            twice);
+            resolved, [&] { return staged(preset.usual, preset.usual, {"resolve"}); }, twice);
     }
 }

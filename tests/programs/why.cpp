@@ -116,7 +116,7 @@ TEST_CASE("--why writes a table and a picture of the stages beside the output, a
         auto const beside = "out.000" + std::to_string(i) + ".why";
         CHECK(std::filesystem::exists(folder / (beside + ".png")));
         auto const rows = rows_of(folder / (beside + ".csv"));
-        for (std::string const stage : {"samples", "history", "feedback", "colours", "guide noise", "repeated"}) {
+        for (std::string const stage : {"samples", "evidence", "light", "colours", "guide noise", "repeated light"}) {
             INFO(stage);
             CHECK(std::ranges::count(rows, stage, &Cells::stage) > 0);
         }
@@ -126,12 +126,12 @@ TEST_CASE("--why writes a table and a picture of the stages beside the output, a
         }
     }
     // No frame is known before the first.
-    CHECK(worst(rows_of(folder / "out.0000.why.csv"), "history").share == 1.);
-    CHECK(worst(rows_of(folder / "out.0005.why.csv"), "history").share < 1.);
-    CHECK(worst(rows_of(folder / "out.0004.why.csv"), "feedback").share > 0.);
+    CHECK(worst(rows_of(folder / "out.0000.why.csv"), "evidence").share == 1.);
+    CHECK(worst(rows_of(folder / "out.0005.why.csv"), "evidence").share < 1.);
+    CHECK(worst(rows_of(folder / "out.0004.why.csv"), "light").share > 0.);
     auto const why = nlohmann::json::parse(ran.out)["why"];
     CHECK(why.size() >= 6);
-    CHECK(contains(why.dump(), "feedback, picture: "));
+    CHECK(contains(why.dump(), "light, picture: "));
 }
 
 TEST_CASE("--why names a screen whose colours change without motion, and nothing in its twin") {
@@ -148,15 +148,15 @@ TEST_CASE("--why names a screen whose colours change without motion, and nothing
 
 TEST_CASE("--why names noise that is no new witness") {
     auto const doubled = told({.doubled = true});
-    for (std::string const stage : {"history", "feedback", "repeated"}) {
+    for (std::string const stage : {"evidence", "light", "repeated light"}) {
         INFO(stage);
         CHECK(worst(doubled.rows, stage).refused > .8);
         CHECK(worst(doubled.rows, stage).reason == "neighbouring pixels share their noise");
     }
     CHECK(contains(doubled.err, "neighbouring pixels share their noise"));
     auto const held = told({.held = true});
-    CHECK(worst(held.rows, "repeated").refused > .4);
-    CHECK(worst(held.rows, "repeated").reason == "a frame around has the same noise");
+    CHECK(worst(held.rows, "repeated light").refused > .4);
+    CHECK(worst(held.rows, "repeated light").reason == "a frame around has the same noise");
     CHECK(contains(held.err, "a frame around has the same noise"));
     auto const limited = told({.samples = "4096"});
     CHECK(worst(limited.rows, "samples").refused > .99);
@@ -168,7 +168,7 @@ TEST_CASE("--why says what a preset leaves out, and wants an output") {
     Folder const folder;
     for (int i = 0; i < 2; ++i) io::write_exr(folder / numbered("frame.", i), image_of(i, {}));
     REQUIRE(denoise(input(folder) + output(folder) + "--why --quick").code == 0);
-    auto const row = worst(rows_of(folder / "out.0001.why.csv"), "feedback");
+    auto const row = worst(rows_of(folder / "out.0001.why.csv"), "light");
     CHECK(row.refused == 0.);
     CHECK(contains(row.reason, "--quick"));
     check_refused(denoise(input(folder) + "--why --reference x.%04d.exr"), {"--why", "--out is missing"});

@@ -23,7 +23,7 @@ int main(int argc, char **argv) {
     FILE *in, *out;
     if (argc != 7 && argc != 9) return fails("in_c PRESET WIDTH HEIGHT FRAMES IN OUT [OUTPUT_WIDTH OUTPUT_HEIGHT]");
     settings.preset = argv[1], settings.width = atoi(argv[2]), settings.height = atoi(argv[3]);
-    if (argc == 9) settings.anti_alias = 1, settings.output_width = atoi(argv[7]), settings.output_height = atoi(argv[8]);
+    if (argc == 9) settings.stages = "resolve", settings.output_width = atoi(argv[7]), settings.output_height = atoi(argv[8]);
     if (quell_create(&settings, &denoiser) != QUELL_OK) return fails("create");
     for (; count < 32 && quell_channel_name(denoiser, (int)count) != NULL; ++count) {
         const char *const name = quell_channel_name(denoiser, (int)count);

@@ -282,7 +282,7 @@ class Refused(unittest.TestCase):
         refused(status.INVALID_ARGUMENT, ["threads", "-1"], "svgf", (HEIGHT, WIDTH), threads=-1)
         refused(status.NOT_SUPPORTED, ["'z80'", quell.instruction_sets()[0]], "svgf", (HEIGHT, WIDTH), instruction_set="z80")
         refused(status.INVALID_ARGUMENT, ["motion", "'px'", "pixel, uv, ndc"], "svgf", (HEIGHT, WIDTH), motion={"unit": "px"})
-        refused(status.NOT_SUPPORTED, ["'svgf'", "general"], "svgf", (HEIGHT, WIDTH), two_sided=True)
+        refused(status.NOT_SUPPORTED, ["'svgf'", "general"], "svgf", (HEIGHT, WIDTH), stages=["two-sided"])
         refused(status.NOT_SUPPORTED, ["'svgf'", "general"], "svgf", (HEIGHT, WIDTH), alpha=True)
         for words, frames, options in (
             ("no channels", [{}], {}),
@@ -291,11 +291,11 @@ class Refused(unittest.TestCase):
         ):
             with self.assertRaisesRegex(quell.Error, words):
                 next(quell.denoise(frames, "svgf", **{"later_frames": 0, **options}))
-        self.refused(["later", "two_sided=True"], status.NOT_SUPPORTED, later=[self.frame])
+        self.refused(["later", "two-sided"], status.NOT_SUPPORTED, later=[self.frame])
 
     @unittest.skipUnless("general" in quell.presets(), "skipped: frames from before and after, which want the preset general")
     def test_later_frames(self):
-        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), two_sided=True)
+        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), stages=["two-sided"])
         with self.assertRaisesRegex(quell.Error, "later.1.: channel 'depth'.*shape"):
             denoiser(self.frame, later=[self.frame, {**self.frame, "depth": self.frame["depth"][1:]}])
         with self.assertRaisesRegex(quell.Error, "frames.1..*'albedo'.*missing"):

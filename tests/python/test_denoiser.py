@@ -38,7 +38,7 @@ class Results(unittest.TestCase):
         for preset in quell.presets():
             for output in (HEIGHT, WIDTH), (2 * HEIGHT, 2 * WIDTH), (51, 200):
                 with self.subTest(preset, output=output):
-                    denoiser = quell.Denoiser(preset, (HEIGHT, WIDTH), anti_alias=True, output_size=output)
+                    denoiser = quell.Denoiser(preset, (HEIGHT, WIDTH), stages=["resolve"], output_size=output)
                     frames = [of_all_channels(denoiser, seed) for seed in range(3)]
                     made = pictures(denoiser, frames)
                     self.assertEqual(denoiser.output_size, output)
@@ -67,13 +67,13 @@ class Results(unittest.TestCase):
                 quell.Denoiser("svgf", (HEIGHT, WIDTH), output_size=size)
         with self.assertRaisesRegex(quell.Error, "output_size"):
             quell.Denoiser("svgf", (HEIGHT, WIDTH), output_size=(1, 2, 3))
-        denoiser = quell.Denoiser("svgf", (HEIGHT, WIDTH), anti_alias=True)
+        denoiser = quell.Denoiser("svgf", (HEIGHT, WIDTH), stages=["resolve"])
         for jitter, words in (None, "camera"), ((0, np.nan), "at most 8"), ((9, 0), "at most 8"), ((1, 2, 3), "jitter"):
             with self.assertRaisesRegex(quell.Error, words):
                 denoiser(frame, jitter=jitter)
         with self.assertRaisesRegex(quell.Error, "camera"):
             denoiser(frame, jitter=(0, 0), camera=some_camera())
-        with self.assertRaisesRegex(quell.Error, "anti_alias"):
+        with self.assertRaisesRegex(quell.Error, "resolve"):
             quell.Denoiser("svgf", (HEIGHT, WIDTH))(frame, jitter=(0, 0))
         with self.assertRaisesRegex(quell.Error, "1 to 4 times"):
             denoiser(wall(HEIGHT // 5, WIDTH), jitter=(0, 0))
@@ -83,7 +83,7 @@ class Results(unittest.TestCase):
         self.assertTrue(np.isfinite(denoiser(frame, jitter=(0, 0))).all())
 
     def test_noisy_guides_are_made_steady(self):
-        plain, steady = quell.Denoiser("svgf", (HEIGHT, WIDTH)), quell.Denoiser("svgf", (HEIGHT, WIDTH), steady_guides=("depth", "albedo"))
+        plain, steady = quell.Denoiser("svgf", (HEIGHT, WIDTH)), quell.Denoiser("svgf", (HEIGHT, WIDTH), stages=("steady-depth", "steady-albedo"))
         random = np.random.default_rng(1)
         frames = []
         for seed in range(3):
@@ -95,31 +95,32 @@ class Results(unittest.TestCase):
             pictures_of_both = plain(frame), steady(frame)
         # The picture is multiplied by an albedo that differs less.
         self.assertLess(pictures_of_both[1].std(), 0.8 * pictures_of_both[0].std())
-        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, steady_guides=["depth", "albedo"]))
+        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, stages=["steady-depth", "steady-albedo"]))
         self.assertTrue(same_bits(in_sequence[-1], pictures_of_both[1]))
-        with self.assertRaisesRegex(quell.Error, "steady_guides.*later_frames is 2"):
-            next(quell.denoise(frames, "svgf", steady_guides=("depth",)))
-        for guides in ("depth",), "depth", ("normal",):
-            options = {"two_sided": True} if guides == ("depth",) else {}
-            with self.assertRaisesRegex(quell.Error, "steady_guides|two_sided"):
-                quell.Denoiser("svgf", (HEIGHT, WIDTH), steady_guides=guides, **options)
+        for stages in ("steady-depth", "two-sided"), "steady-depth", ("steady-normal",), ("steady-depth,resolve",):
+            with self.assertRaisesRegex(quell.Error, "stages: .*(steady-|two-sided)"):
+                quell.Denoiser("svgf", (HEIGHT, WIDTH), stages=stages)
+            with self.assertRaisesRegex(quell.Error, "stages: .*(steady-|two-sided)"):
+                next(quell.denoise(frames, "svgf", stages=stages, later_frames=0))
 
     def test_history_or_the_frame_alone_by_what_samples_say(self):
-        history, chosen = (quell.Denoiser("svgf", (HEIGHT, WIDTH), choose_history=choice) for choice in (False, True))
+        history, chosen = (quell.Denoiser("svgf", (HEIGHT, WIDTH), stages=stages) for stages in ([], ["evidence"]))
         frames = [wall(HEIGHT, WIDTH, seed) for seed in range(8)]
         frames[-1]["radiance"] = 10 * frames[-1]["radiance"]
         for frame in frames:
             with_history, made = history(frame), chosen(frame)
         alone = quell.Denoiser("svgf", (HEIGHT, WIDTH))(frames[-1])
         self.assertLess(np.abs(made - alone).mean(), 0.5 * np.abs(with_history - alone).mean())
-        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, choose_history=True))
+        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, stages=["evidence"]))
         self.assertTrue(same_bits(in_sequence[-1], made))
         if "none" in quell.presets():
-            with self.assertRaisesRegex(quell.Error, "choose_history.*no history"):
-                quell.Denoiser("none", (HEIGHT, WIDTH), choose_history=True)
+            with self.assertRaisesRegex(quell.Error, "'none' has no history.*leave 'evidence' out"):
+                quell.Denoiser("none", (HEIGHT, WIDTH), stages=["evidence"])
 
     def test_light_given_back(self):
-        plain, given, chosen = (quell.Denoiser("svgf", (HEIGHT, WIDTH), **options) for options in ({}, {"give_back": 16}, {"give_back": True, "choose_history": True}))
+        self.assertLessEqual({"two-sided", "evidence", "light", "resolve", "steady-depth", "steady-albedo"}, set(quell.stages()))
+        some = [], ["light"], ["light", "evidence"]
+        plain, given, chosen = (quell.Denoiser("svgf", (HEIGHT, WIDTH), stages=stages, samples_per_pixel=16) for stages in some)
         frames = [wall(HEIGHT, WIDTH, seed) for seed in range(4)]
         for frame in frames:
             frame["radiance"][:, ::4] += 1  # stripes that the filter blurs
@@ -129,15 +130,15 @@ class Results(unittest.TestCase):
         lit[:, ::4] = 1
         contrast = [float((picture * lit).sum() / lit.sum() - (picture * (1 - lit)).sum() / (1 - lit).sum()) for picture in (before, after)]
         self.assertGreater(contrast[1], 1.05 * contrast[0])
-        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, give_back=16))
+        in_sequence = list(quell.denoise(frames, "svgf", later_frames=0, stages=["light"], samples_per_pixel=16))
         self.assertTrue(same_bits(in_sequence[-1], after))
-        self.assertIn("light is given back", given.plan)
+        self.assertIn("Behind it, light:", given.plan)
         self.assertGreater(given.statistics.bytes, plain.statistics.bytes)
-        with self.assertRaisesRegex(quell.Error, "give_back.*samples of each pixel"):
-            quell.Denoiser("svgf", (HEIGHT, WIDTH), give_back=-1)
+        with self.assertRaisesRegex(quell.Error, "samples_per_pixel: -1"):
+            quell.Denoiser("svgf", (HEIGHT, WIDTH), samples_per_pixel=-1)
         if "none" in quell.presets():
-            with self.assertRaisesRegex(quell.Error, "give_back.*no single colour"):
-                quell.Denoiser("none", (HEIGHT, WIDTH), give_back=1)
+            with self.assertRaisesRegex(quell.Error, "'none' makes no single colour.*leave 'light' out"):
+                quell.Denoiser("none", (HEIGHT, WIDTH), stages=["light"])
 
     @unittest.skipUnless("accumulated" in quell.presets(), "skipped: guides, which want the preset accumulated")
     def test_guides_are_the_means_of_the_frames(self):
@@ -260,7 +261,7 @@ class Results(unittest.TestCase):
         first = next(made)
         self.assertEqual(taken, [0, 1, 2])
         found = np.stack([first, *made])
-        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), two_sided=True)
+        denoiser = quell.Denoiser("general", (HEIGHT, WIDTH), stages=["two-sided"])
         self.assertTrue(same_bits(found, np.stack([denoiser(frames[i], later=frames[i + 1 : i + 3]) for i in range(6)])))
         # The last one has none after it.
         alone = np.stack(list(quell.denoise(frames, "general", later_frames=0)))

@@ -54,7 +54,7 @@ def of_all_channels(denoiser, seed):
 def in_c(preset, frames, output_size=None):
     """The pictures that C makes of these frames, seen by some_camera(): anti-aliased where there is a size."""
     height, width = next(iter(frames[0].values())).shape[:2]
-    denoiser = quell.Denoiser(preset, (height, width), output_size=output_size, anti_alias=output_size is not None)
+    denoiser = quell.Denoiser(preset, (height, width), output_size=output_size, stages=["resolve"] if output_size else [])
     camera = some_camera()
     columns = [camera.view.ravel(order="F"), camera.projection.ravel(order="F"), camera.jitter]
     with tempfile.TemporaryDirectory() as folder:

@@ -30,6 +30,8 @@ template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPre
     Signal signal;              ///< what it denoises
     Make make;                  ///< makes the pipeline
     Join join = nullptr;        ///< makes the one that joins both sides
+    std::string_view judge{};   ///< with evidence: the preset that judges its history, in less time; empty: it does so itself
+    std::string_view stages{};  ///< that quell-denoise does behind it where nothing else is said, with commas between
 
     /// Whether it denoises this channel, by itself.
     template <ChannelTag S> static constexpr bool serves = std::is_same_v<Signal, AnySignal> || std::is_same_v<Signal, S>;
@@ -53,6 +55,8 @@ private:
 };
 template <class S, class M> NamedPreset(std::string_view, PresetGroup, S, M) -> NamedPreset<S, M>;
 template <class S, class M, class J> NamedPreset(std::string_view, PresetGroup, S, M, J) -> NamedPreset<S, M, J>;
+template <class S, class M, class J>
+NamedPreset(std::string_view, PresetGroup, S, M, J, std::string_view, std::string_view) -> NamedPreset<S, M, J>;
 
 // In namespace presets a preset hides the channel of its name, so channels go by their types.
 namespace presets::named {
@@ -65,9 +69,9 @@ inline constexpr std::tuple list{
     NamedPreset{"atrous", PresetGroup::general, any_signal, [](auto... a) { return atrous(a...); }},
     NamedPreset{"svgf", PresetGroup::general, any_signal, [](auto... a) { return svgf(a...); }},
     NamedPreset{"general", PresetGroup::general, any_signal, [](auto... a) { return general(a...); },
-                [](auto... a) { return general_joining(a...); }},
+                [](auto... a) { return general_joining(a...); }, "", "light,colours"},
     NamedPreset{"final-frame", PresetGroup::general, any_signal, [](auto... a) { return final_frame(a...); },
-                [](auto... a) { return final_frame_joining(a...); }},
+                [](auto... a) { return final_frame_joining(a...); }, "general", "evidence,light,colours"},
     NamedPreset{"accumulated", PresetGroup::general, any_signal, [](auto... a) { return accumulated(a...); }},
 
     NamedPreset{"shadow", PresetGroup::effects, Visibility{}, [](auto... a) { return shadow(a...); }},

@@ -43,21 +43,31 @@ endforeach()
 set(objects)
 set(declarations "")
 set(calls "")
-foreach(preset IN LISTS QUELL_CUDA_PRESETS)
-    string(MAKE_C_IDENTIFIER ${preset} name)
-    configure_file(cuda/cuda_unit.cu.in cuda_${name}.cu @ONLY)
+set(own_stages "")
+if(QUELL_OWN_STAGES)
+    set(own_stages "-DQUELL_OWN_STAGES=\"${QUELL_OWN_STAGES}\"")
+endif()
+# quell_cuda_object(name text): the object of cuda_<name>.cu; `text` says what it is.
+function(quell_cuda_object name text)
     set(object ${CMAKE_CURRENT_BINARY_DIR}/cuda_${name}.o)
     # 20012: GLM marks defaulted functions for the device, which nvcc remarks on and ignores.
     add_custom_command(OUTPUT ${object}
         COMMAND ${QUELL_NVCC} -std=c++20 --expt-relaxed-constexpr -ftz=true -prec-div=false -prec-sqrt=false -diag-suppress 20012 -O2
             ${architectures} -ccbin ${CMAKE_CXX_COMPILER} -Xcompiler -fPIC,-fvisibility=hidden -I${PROJECT_SOURCE_DIR}/include
-            -I${PROJECT_SOURCE_DIR}/packaging/library/cuda -MD -MF ${object}.d -c -o ${object} ${CMAKE_CURRENT_BINARY_DIR}/cuda_${name}.cu
-        DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/cuda_${name}.cu DEPFILE ${object}.d COMMENT "Compiling ${preset} for a GPU" VERBATIM)
+            -I${PROJECT_SOURCE_DIR}/packaging/library/cuda -I${PROJECT_SOURCE_DIR}/packaging/library ${own_stages} -MD -MF ${object}.d -c -o ${object} ${CMAKE_CURRENT_BINARY_DIR}/cuda_${name}.cu
+        DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/cuda_${name}.cu DEPFILE ${object}.d COMMENT "Compiling ${text} for a GPU" VERBATIM)
     set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
-    list(APPEND objects ${object})
-    string(APPEND declarations "PresetCode cuda_code_${name}();\n")
+    set(objects ${objects} ${object} PARENT_SCOPE)
+endfunction()
+foreach(preset IN LISTS QUELL_CUDA_PRESETS)
+    string(MAKE_C_IDENTIFIER ${preset} name)
+    configure_file(cuda/cuda_unit.cu.in cuda_${name}.cu @ONLY)
+    quell_cuda_object(${name} ${preset})
+    string(APPEND declarations "DeviceCode cuda_code_${name}();\n")
     string(APPEND calls "cuda_code_${name}(), ")
 endforeach()
+configure_file(cuda/cuda_stages.cu.in cuda_stages.cu @ONLY)
+quell_cuda_object(stages "stages behind presets")
 configure_file(cuda/cuda_codes.cpp.in cuda_codes.cpp @ONLY)
 set_property(GLOBAL PROPERTY quell_cuda_codes ${CMAKE_CURRENT_BINARY_DIR}/cuda_codes.cpp)
 # Several targets have the objects, which are made once.

@@ -3,6 +3,7 @@
 #include "../convert_motion.hpp"
 #include "../for_each_strip.hpp"
 #include "callers_image.cuh"
+#include "device_codes.hpp"
 #include "device_memory.cuh"
 #include "device_plan.cuh"
 
@@ -57,11 +58,9 @@ template <class Image> Image& made(std::optional<Image>& image, quell::Extent si
     return *image;
 }
 
-/// A preset on a device.
-/// @tparam Make makes the pipeline
-/// @tparam E    the executor: quell::Cuda, or what is made of one by E{cuda}
-template <class Make, class E> class CudaInstance final : public Instance {
-    using P = std::remove_const_t<decltype(Make{}())>;
+/// A pipeline on a device.
+/// @tparam E the executor: quell::Cuda, or what is made of one by E{cuda}
+template <class P, class E> class CudaInstance final : public Instance {
     using Set = typename P::reads;
     template <class... Cs> static std::tuple<StandIn<Cs::components>...> stand_ins_of(quell::Channels<Cs...>);
 
@@ -72,7 +71,7 @@ template <class Make, class E> class CudaInstance final : public Instance {
     quell::Cuda cuda;
     quell::CudaGraphs graphs; // lives longer than the history
     E executor;
-    P pipeline = Make{}();
+    P pipeline;
     quell::MotionConvention motion;
     JitterOf before;
     quell::Frame<Set, quell::Borrowed<quell::Float32, LibraryMemory>> frame;
@@ -82,10 +81,10 @@ template <class Make, class E> class CudaInstance final : public Instance {
     std::vector<Image> given;
 
 public:
-    CudaInstance(std::vector<Channel> const& read, quell::Extent size, Motion const& m, Parallel const& p, bool moves)
+    CudaInstance(P const& made, std::vector<Channel> const& read, quell::Extent size, Motion const& m, Parallel const& p, bool moves)
         : channels(read), may_move(moves),
           parallel(p), cuda{.stream = static_cast<cudaStream_t>(p.stream)}, executor{quell::Cuda{.stream = cuda.stream, .graphs = &graphs}},
-          motion(convention_of(m)), frame(size), history(size, pipeline) {}
+          pipeline(made), motion(convention_of(m)), frame(size), history(size, pipeline) {}
 
     Outcome run(std::vector<Frame> const& frames, Image const& output, std::string& error) noexcept override {
         return caught_on_device(error, [&] {
@@ -116,8 +115,8 @@ public:
         return counted;
     }
 
-    static std::size_t bytes_of_plan(quell::Extent size) {
-        static double const bytes_per_pixel = device_plan_of(Make{}()).bytes_per_pixel;
+    static std::size_t bytes_of_plan(P const& of, quell::Extent size) {
+        static double const bytes_per_pixel = device_plan_of(of).bytes_per_pixel;
         return static_cast<std::size_t>(bytes_per_pixel * static_cast<double>(size.pixels()));
     }
 
@@ -216,17 +215,44 @@ private:
     }
 };
 
-/// A preset for a device, from a function without state that makes its pipeline.
-template <class E, class Make> PresetCode cuda_code(std::string const& name, Make) {
-    using P = std::remove_const_t<decltype(Make{}())>;
+/// See DeviceCode::make_image.
+inline std::shared_ptr<void const> make_device_image(Sizes const& sizes, bool may_move, Image& image, Outcome& outcome,
+                                                     std::string& error) {
+    using OnDevice = quell::Planar<quell::Float32, LibraryMemory>::Image<3>;
+    std::shared_ptr<OnDevice> made;
+    outcome = caught_on_device(error, [&] {
+        MayMove const moves(may_move);
+        made = std::make_shared<OnDevice>(quell::Extent{sizes.width, sizes.height});
+        constexpr std::ptrdiff_t element = sizeof(float);
+        auto const view = made->view();
+        image = {.data = reinterpret_cast<std::byte*>(view.planes[0]),
+                 .component_stride = (view.planes[1] - view.planes[0]) * element,
+                 .pixel_stride = element,
+                 .row_stride = view.row_stride() * element};
+    });
+    return made;
+}
+
+/// The channel that a pipeline's history is of; of others none.
+template <class P> std::string signal_of() {
+    if constexpr (requires { requires P::has_temporal; })
+        return P::Output::name;
+    else
+        return {};
+}
+
+/// A preset for a device, or a stage behind presets, from a function without state that makes its pipeline for so many samples of each
+/// pixel.
+template <class E, class Make> DeviceCode cuda_code(std::string const& name, Make) {
+    using P = std::remove_const_t<decltype(Make{}(1.f))>;
     PresetWay way{.output_components = P::Output::components, .needs_camera = P::needs_camera};
     quell::for_each_channel(typename P::reads{}, [&]<class C>(C c) {
         static_assert(C::fraction == 1, "libquell: a channel of a part of the frame's size can't be taken on a device");
         way.channels.push_back({std::string(c.name), c.components, false, c.is_guide});
     });
-    way.plan = [] { return to_string(device_plan_of(Make{}())); };
+    way.plan = [] { return to_string(device_plan_of(Make{}(1.f))); };
     way.make = [channels = std::make_shared<std::vector<Channel> const>(way.channels)](
-                   Sizes const& sizes, Additions const&, Motion const& motion, Parallel const& parallel, Memory const& memory,
+                   Sizes const& sizes, float samples, Motion const& motion, Parallel const& parallel, Memory const& memory,
                    Outcome& outcome, std::string& error) -> std::unique_ptr<Instance> {
         int devices = 0;
         if (auto const status = cudaGetDeviceCount(&devices); status != cudaSuccess || devices == 0) {
@@ -239,15 +265,16 @@ template <class E, class Make> PresetCode cuda_code(std::string const& name, Mak
         }
         std::unique_ptr<Instance> made;
         outcome = caught_on_device(error, [&] {
-            using Made = CudaInstance<Make, E>;
+            using Made = CudaInstance<P, E>;
             quell::Extent const size{sizes.width, sizes.height};
+            auto const pipeline = Make{}(samples);
             bool const moves = memory.may_move && can_move(detail::current_device());
-            if (!moves) check_free_memory(Made::bytes_of_plan(size), size);
-            made = std::make_unique<Made>(*channels, size, motion, parallel, moves);
+            if (!moves) check_free_memory(Made::bytes_of_plan(pipeline, size), size);
+            made = std::make_unique<Made>(pipeline, *channels, size, motion, parallel, moves);
         });
         return made;
     };
-    return {.name = name, .usual = std::move(way)};
+    return {.name = name, .signal = signal_of<P>(), .way = std::move(way), .make_image = &make_device_image};
 }
 
 } // namespace quell_library::inline QUELL_INSTRUCTION_SET

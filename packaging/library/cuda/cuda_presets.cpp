@@ -65,16 +65,16 @@ public:
 };
 
 /// What is compiled for a CPU, but for what makes the denoiser.
-CompiledPreset on_cuda(CompiledPreset preset, PresetWay const& way) {
-    preset.usual.make = [&way](quell::Extent size, Parallel const& parallel, Memory const&) -> std::unique_ptr<CompiledDenoiser> {
+CompiledPreset on_cuda(CompiledPreset preset, std::shared_ptr<PresetWay const> const& way) {
+    preset.usual.make = [way](quell::Extent size, Parallel const& parallel, Memory const&) -> std::unique_ptr<CompiledDenoiser> {
         Outcome outcome = Outcome::ok;
         std::string error;
-        auto made = way.make({size.width, size.height, size.width, size.height}, {}, {}, parallel, {.may_move = true}, outcome, error);
+        auto made = way->make({size.width, size.height, size.width, size.height}, 1.f, {}, parallel, {.may_move = true}, outcome, error);
         if (outcome != Outcome::ok) raise(error, outcome);
         return std::make_unique<CudaDenoiser>(std::move(made));
     };
     preset.usual.signal = {}; // its history stays on the device, where nothing is chosen
-    preset.two_sided = {}, preset.two_sided_alpha = {}, preset.watched = {};
+    preset.two_sided = {}, preset.two_sided_alpha = {}, preset.watched = {}, preset.stages = {};
     return preset;
 }
 
@@ -86,8 +86,10 @@ std::vector<CompiledPreset> const& cuda_presets() {
     static auto const all = [&] {
         std::vector<CompiledPreset> made;
         for (auto const& preset : compiled_presets()) {
-            auto const code = std::ranges::find(*codes, preset.name, &PresetCode::name);
-            if (code != codes->end() && !preset.picture && preset.usual.guides.empty()) made.push_back(on_cuda(preset, code->usual));
+            auto const code = std::ranges::find(codes->presets, preset.name, &PresetCode::name);
+            std::string refusal;
+            if (code != codes->presets.end() && !preset.picture && preset.usual.guides.empty())
+                made.push_back(on_cuda(preset, code->with({}, false, refusal)));
         }
         return made;
     }();

@@ -9,7 +9,7 @@ Arrays are NumPy's, or any object that lends its memory (DLPack, __array_interfa
 """
 
 from . import metrics
-from ._denoiser import Camera, Denoiser, Samples, Statistics, instruction_sets, presets
+from ._denoiser import Camera, Denoiser, Samples, Statistics, instruction_sets, presets, stages
 from ._errors import Error, Status
 from ._library import version
 from ._sequence import denoise
@@ -29,5 +29,6 @@ __all__ = [
     "metrics",
     "presets",
     "shaders",
+    "stages",
     "version",
 ]

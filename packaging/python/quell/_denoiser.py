@@ -58,21 +58,15 @@ class Denoiser:
 
     preset: one of presets(). size: (height, width). threads: 0 for all that there are; results do not depend on it.
     instruction_set: one of instruction_sets(), or None for the best that the machine has.
-    two_sided: for calls with `later`, which the presets general and final-frame can.
-    alpha: for radiance with alpha, the channel radiance_alpha, which the same presets can.
+    stages: what is done before the preset, with it and behind it: some of stages(), in any order (docs/library.md). With "two-sided" calls
+    take `later`; "steady-depth" and "steady-albedo" accumulate noisy guides first; with "evidence" samples choose between history and the
+    frame by itself; "light" gives back what the filter took out by mistake; "resolve" is temporal anti-aliasing: move the samples of each
+    frame by another `jitter`, and say which. With it frames may be of several sizes, one after another; what was resolved stays.
+    samples_per_pixel: for "evidence" and "light"; 0 where that is not known.
+    alpha: for radiance with alpha, the channel radiance_alpha, which the presets general and final-frame can.
     motion: what motion vectors mean where it is not quell's convention, in the words of channel maps:
     {"points": "from_previous", "unit": "uv" or "ndc", "y": "up", "jitter": "left_in"}, or some of these.
-    anti_alias: temporal anti-aliasing: each pixel is put together from the samples of seven frames. Move the samples of each frame by another
-    `jitter`, and say which. Frames may then be of several sizes, one after another; what was resolved stays.
-    output_size: (height, width) of the pictures, 1 to 4 times the frames', which are then anti-aliased; None for the frames' own.
-    steady_guides: ("depth",), ("albedo",) or both: guides that are noisy themselves, as out of focus or behind a pane, are accumulated along
-    their motion first, over 8 frames at most. Not with two_sided.
-    choose_history: denoises each frame with its history and without, and puts both together by what samples speak for that neither has used.
-    Give the number of samples of each pixel, or True (1) where it is not known: with many it takes more to speak for history. Presets of one
-    history can; it takes several times their time.
-    give_back: gives light back that the filter took out by mistake, by what a picture lacks of its samples, and what the one before it lacked
-    too. Give the number of samples of each pixel, or True (1) where it is not known. Presets of one colour that read normal, depth and motion
-    can, without alpha, into which nothing would come back.
+    output_size: (height, width) of the pictures, 1 to 4 times the frames', which adds "resolve"; None for the frames' own.
     device: "cpu", or "cuda" for presets("cuda"). Arrays may then lie on the GPU (__cuda_array_interface__, DLPack), where they are read and
     written as they are, or in the host's memory, from which they are copied.
     stream: with "cuda", the number of the stream that the work goes into, such as torch.cuda.current_stream().cuda_stream; 0 is CUDA's
@@ -88,14 +82,11 @@ class Denoiser:
         *,
         threads: int = 0,
         instruction_set: Optional[str] = None,
-        two_sided: bool = False,
+        stages: Sequence[str] = (),
+        samples_per_pixel: int = 0,
         alpha: bool = False,
         motion: Mapping[str, str] = {},
-        anti_alias: bool = False,
         output_size: Optional[Sequence[int]] = None,
-        steady_guides: Sequence[str] = (),
-        choose_history: int = False,
-        give_back: int = False,
         device: str = "cpu",
         stream: int = 0,
     ) -> None:
@@ -114,23 +105,20 @@ class Denoiser:
             height,
             count,
             instruction_set,
-            two_sided,
+            _names("stages", stages),
+            _whole("samples_per_pixel", samples_per_pixel, 32),
             alpha,
             _motion(motion),
-            anti_alias,
             output,
-            _steady(steady_guides),
-            _whole("choose_history", choose_history, 32),
-            _whole("give_back", give_back, 32),
             on_device,
             self._stream or 0,
         )
         self._channels = {name: (components, is_optional) for name, components, is_optional in self._denoiser.channels()}
         self._preset = preset
-        self._is_two_sided = two_sided
+        self._is_two_sided = "two-sided" in stages
         self._size = (height, width)
         self._output_size = self._size if output_size is None else output
-        self._is_anti_aliased = anti_alias or self._output_size != self._size
+        self._resolves = "resolve" in stages or self._output_size != self._size
 
     def __call__(
         self,
@@ -151,7 +139,7 @@ class Denoiser:
         Channels are given by name: radiance=..., albedo=..., or as a dict, which may also have "camera", "jitter", "number", "shutter" and
         "samples". A dict may hold more channels than the preset reads.
 
-        camera: where needs_camera. jitter: (x, y) of a denoiser that anti-aliases, where there is no camera that says it: where the frame's
+        camera: where needs_camera. jitter: (x, y) of a denoiser with the stage resolve, where there is no camera that says it: where the frame's
         samples lie, from the pixels' centres, in pixels, y down. number: of the frame; where numbers do not follow each other, history
         starts afresh. shutter: the time that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. samples: by
         name, of the channels that have fewer samples than the frame has pixels: {"radiance": Samples(2, 2)}; guides must have all. later:
@@ -164,7 +152,7 @@ class Denoiser:
         frames = [self._given(given, "", [*self._channels, *channels])]
         frames += [self._given(each, f"later[{i}]: ", self._channels) for i, each in enumerate(later)]
         if len(frames) > 1 and not self._is_two_sided:
-            raise Error("later: the denoiser takes one frame at a time; make it by Denoiser(..., two_sided=True)", Status.NOT_SUPPORTED)
+            raise Error("later: the denoiser takes one frame at a time; make it by Denoiser(..., stages=['two-sided'])", Status.NOT_SUPPORTED)
         if out is None:
             written = out = np.empty(self._output_shape(), np.float32)
         else:
@@ -246,7 +234,7 @@ class Denoiser:
                 raise Error(f"{prefix}samples: there is no channel '{name}'; give it, or leave its samples out")
         arrays = {name: lent(f"{prefix}channel '{name}'", frame[name], self._stream).array for name in names if name in frame}
         # Depth is there for every pixel.
-        varies = self._is_anti_aliased and "depth" in arrays and arrays["depth"].ndim in (2, 3)
+        varies = self._resolves and "depth" in arrays and arrays["depth"].ndim in (2, 3)
         return (
             arrays,
             self._seen_by(prefix, frame.get("camera"), frame.get("jitter")),
@@ -261,8 +249,8 @@ class Denoiser:
             return _packed(f"{prefix}camera", camera)
         if camera is not None:
             raise Error(f"{prefix}jitter: there is a camera too; let quell.Camera say the jitter, or leave the camera out")
-        if not self._is_anti_aliased:
-            raise Error(f"{prefix}jitter: this denoiser makes no use of it; make it by Denoiser(..., anti_alias=True), or leave it out")
+        if not self._resolves:
+            raise Error(f"{prefix}jitter: this denoiser makes no use of it; make it by Denoiser(..., stages=['resolve']), or leave it out")
         return np.concatenate([np.zeros(32, np.float32), _numbers(f"{prefix}jitter", jitter, (2,))])
 
     def _output_shape(self) -> tuple[int, ...]:
@@ -273,6 +261,11 @@ class Denoiser:
 def presets(device: str = "cpu") -> list[str]:
     """Names of presets: docs/presets.md says what they are for. Of "cuda": none where quell was built without CUDA."""
     return _library.presets(_device(device))
+
+
+def stages(device: str = "cpu") -> list[str]:
+    """Names of stages, for Denoiser(..., stages=[...]): docs/library.md says what they do."""
+    return _library.stages(_device(device))
 
 
 def instruction_sets() -> list[str]:
@@ -324,10 +317,10 @@ def _device(name: str) -> int:
     return _DEVICES.index(name)
 
 
-def _steady(guides: Sequence[str]) -> int:
-    if isinstance(guides, str) or not set(guides) <= {"depth", "albedo"}:
-        raise Error(f"steady_guides: {guides!r}; give some of 'depth' and 'albedo', as a tuple or list")
-    return ("depth" in guides) + 2 * ("albedo" in guides)
+def _names(what: str, names: Sequence[str]) -> str:
+    if isinstance(names, str) or any("," in name for name in names):
+        raise Error(f"{what}: {names!r}; give names as a tuple or list, such as ['evidence', 'light']")
+    return ",".join(names)
 
 
 def _height_and_width(what: str, size: Sequence[int]) -> tuple[int, int]:

@@ -5,6 +5,7 @@ from ._arrays import Array, OnDevice
 version: str
 
 def presets(device: int, /) -> list[str]: ...
+def stages(device: int, /) -> list[str]: ...
 def instruction_sets() -> list[str]: ...
 def tensor_in(capsule: Any, /) -> tuple[int, tuple[int, ...], Optional[tuple[int, ...]], str]: ...
 
@@ -16,14 +17,11 @@ class Denoiser:
         height: int,
         threads: int,
         instruction_set: Optional[str],
-        two_sided: bool,
+        stages: str,
+        samples_per_pixel: int,
         alpha: bool,
         motion: tuple[int, int, int, int],
-        anti_alias: bool,
         output_size: tuple[int, int],
-        steady_guides: int,
-        choose_history: int,
-        give_back: int,
         device: int,
         stream: int,
         /,

@@ -12,6 +12,7 @@ def create(
     half_precision: bool,
     texel_loads: bool,
     workgroup: tuple[int, int],
+    samples_per_pixel: int,
     /,
 ) -> tuple[str, dict[str, str]]: ...
 def block(

@@ -40,7 +40,7 @@ class Shaders(NamedTuple):
 
 
 def presets() -> list[str]:
-    """Names of the presets that can be written."""
+    """Names of the presets that can be written, and behind them of stages, which read `denoised`: what a preset has made."""
     return _shaders.presets()
 
 
@@ -55,7 +55,7 @@ def record(preset: str, language: str = "wgsl", **options: Any) -> Shaders:
     Options are added to the preset's passes. repair_guides=True: repairs guides that no scene has. fill_holes=n: so many passes give missing
     samples what stands 2, 4, 8, ... pixels away. counts=True: counts missing samples, impossible guides and suppressed light.
     most_slots=n: of a buffer. half_precision=True: history and scratch are kept in 16 bits a component. texel_loads=True: GLSL loads planes by
-    texelFetch, for devices that are a CPU. workgroup=(width, height): threads of a workgroup.
+    texelFetch, for devices that are a CPU. workgroup=(width, height): threads of a workgroup. samples_per_pixel=n: for stages.
     """
     plan, texts = _created(preset, language, **options)
     return Shaders(json.loads(plan), texts)
@@ -81,7 +81,8 @@ def _created(
     half_precision: bool = False,
     texel_loads: bool = False,
     workgroup: tuple[int, int] = (8, 8),
+    samples_per_pixel: int = 1,
 ) -> tuple[str, dict[str, str]]:
     return _shaders.create(
-        preset, language, repair_guides, fill_holes, counts, most_slots, half_precision, texel_loads, workgroup
+        preset, language, repair_guides, fill_holes, counts, most_slots, half_precision, texel_loads, workgroup, samples_per_pixel
     )
