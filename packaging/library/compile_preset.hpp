@@ -183,24 +183,24 @@ public:
 
 /// A preset that uses the frames after each as well. Frames may lack what renderers leave out: then each is one sample, and motion to the
 /// next frame is that of the next frame turned round.
-template <class P> class TwoSided final : public DenoiserBase<P> {
+template <class P> class TwoSidedDenoiser final : public DenoiserBase<P> {
     using Base = DenoiserBase<P>;
 
 public:
-    using reads = decltype(typename P::reads{} | quell::TwoSided::reads{});
+    using reads = typename quell::TwoSided<P>::reads;
     using Optional = quell::Channels<quell::MotionNext, quell::SampleCount, quell::SampleVariance>;
     using Guides = quell::Channels<>;
 
 private:
     using OneFrame = quell::Frame<reads, HostImages>;
 
-    P joining;
-    quell::TwoSidedHistory<P, OwnImages> history;
+    quell::TwoSided<P> denoiser;
+    quell::History<quell::TwoSided<P>, OwnImages> history;
     std::vector<OneFrame> window;
 
 public:
-    TwoSided(P const& p, P const& j, quell::Extent size, Parallel const& parallel, Memory const& m)
-        : Base(p, parallel, m), joining(j), history(size, p, OwnImages{}) {}
+    TwoSidedDenoiser(quell::TwoSided<P> const& d, quell::Extent size, Parallel const& parallel, Memory const& m)
+        : Base(d.pipeline, parallel, m), denoiser(d), history(size, d, OwnImages{}) {}
 
     void run(std::span<FrameImages const> given, Image const& output) override {
         this->use_memory();
@@ -211,7 +211,7 @@ public:
             bool const last_has_next = std::exchange(has_next, take_frame(window[i], given[i]));
             if (!last_has_next) put_motion_next(window[i - 1], window[i]);
         }
-        this->copy(run_two_sided(this->pipeline, joining, window, history, this->executor), output);
+        this->copy(quell::run(denoiser, window, history, this->executor), output);
     }
     void forget() override { history.forget(); }
     void release_scratch() override {
@@ -298,10 +298,10 @@ template <quell::ImageStorage Storage = OwnImages, class Make> Way one_sided(Mak
 /// One that uses later frames, from functions that make its pipeline, and the one that joins both sides.
 template <class Make, class Join> Way two_sided(Make, Join) {
     using P = std::remove_const_t<decltype(Make{}())>;
-    auto way = way_of<TwoSided<P>, P>();
+    auto way = way_of<TwoSidedDenoiser<P>, P>();
     describe<Make>(way);
     way.make = [](quell::Extent size, Parallel const& parallel, Memory const& memory) -> std::unique_ptr<CompiledDenoiser> {
-        return std::make_unique<TwoSided<P>>(Make{}(), Join{}(), size, parallel, memory);
+        return std::make_unique<TwoSidedDenoiser<P>>(quell::TwoSided{Make{}(), Join{}()}, size, parallel, memory);
     };
     return way;
 }

@@ -69,12 +69,12 @@ public:
         use_memory();
         take(frame);
         by_itself(*alone, window.first(1), Second{});
-        look_at_samples(window);
+        auto const rule =
+            window.size() > 1 ? quell::Evidence::with_later_frames(of_each_pixel) : quell::Evidence::of_samples(of_each_pixel);
+        look_at_samples(window, rule.both_halves);
         past.drop();
         denoiser.run(window, image_of(First{}));
         use_memory();
-        auto const rule =
-            window.size() > 1 ? quell::Evidence::with_later_frames(of_each_pixel) : quell::Evidence::of_samples(of_each_pixel);
         run_into(target_of(output, frame.size), choice_by(rule), images, history, executor);
     }
     bool copy_alone(Image const& output) override { return copy_made(Second{}, output); }
@@ -133,7 +133,7 @@ private:
             judged[i] = {shown.size, std::move(its_own), shown.camera, shown.number, shown.shutter};
         }
     }
-    void look_at_samples(std::span<FrameImages const> window) {
+    void look_at_samples(std::span<FrameImages const> window, bool both_halves) {
         show_judge(window);
         auto const first = std::span<FrameImages const>(judged).first(1);
         using Judged = quell::SecondJudged<n>;
@@ -150,7 +150,7 @@ private:
             judging.run(judged, image_of(first_estimate));
         };
         without(0, quell::FirstWithoutEven<n>{}, quell::SecondWithoutEven<n>{});
-        without(1, quell::FirstWithoutOdd<n>{}, quell::SecondWithoutOdd<n>{});
+        if (both_halves) without(1, quell::FirstWithoutOdd<n>{}, quell::SecondWithoutOdd<n>{});
     }
 };
 
@@ -185,7 +185,7 @@ std::string plan_of_choice(Way const& way, Way const& judge) {
     constexpr int images = 9;
     return "With its history and without, put together by evidence: each frame is denoised once more by itself, and " +
            std::string(is_own_judge ? "" : "by its judge, by itself and ") +
-           "with and without history twice each, with half of the samples left out. That takes " +
+           "with and without history, with half of the samples left out: from 2 samples on once, else twice. That takes " +
            std::to_string(images * way.output_components * static_cast<int>(sizeof(float))) + " bytes a pixel, history and scratch " +
            (is_own_judge ? "once more" : "once more and of its judge") + ", and:\n\n" +
            to_string(plan_of(quell::Pipeline{quell::FirstEstimate<3>{}, quell::Spatial{quell::ChooseByEvidence<GivenSamples<3>>{}}})) +

@@ -75,16 +75,14 @@ public:
     }
 
     void run(std::span<FrameImages const> window, Image const& output) override {
-        auto const& given = window.front();
-        use_memory();
-        take(given);
-        if (!resolvers) resolvers.emplace(Resolver<Signals>(output_size)...);
-        if (!picture || !(picture->size() == given.size)) picture.emplace(given.size);
-        auto const view = picture->view();
-        denoise(window, image_of_view(view));
-        use_memory();
-        each([&](auto& resolver, int) { resolver.before_picture(frame); });
-        each([&](auto& resolver, int first) { resolver.run(view, first, frame, executor, output); });
+        try {
+            resolve(window, output);
+        } catch (quell::Error const&) { // a frame that is refused changes nothing
+            throw;
+        } catch (...) { // a history has seen a frame that another one, or the caller, has not
+            forget();
+            throw;
+        }
     }
     void forget() override {
         denoiser->forget();
@@ -103,16 +101,18 @@ public:
 
 private:
     void use_memory() const { CallersMemory::current() = memory; }
-    /// It does not look at channels behind its own. A frame that it refuses changes nothing; after any other error all begins anew.
-    void denoise(std::span<FrameImages const> window, Image const& to) {
-        try {
-            denoiser->run(window, to);
-        } catch (quell::Error const&) {
-            throw;
-        } catch (...) {
-            each([](auto& resolver, int) { resolver.forget(); });
-            throw;
-        }
+    /// The denoiser does not look at channels behind its own.
+    void resolve(std::span<FrameImages const> window, Image const& output) {
+        auto const& given = window.front();
+        use_memory();
+        take(given);
+        if (!resolvers) resolvers.emplace(Resolver<Signals>(output_size)...);
+        if (!picture || !(picture->size() == given.size)) picture.emplace(given.size);
+        auto const view = picture->view();
+        denoiser->run(window, image_of_view(view));
+        use_memory();
+        each([&](auto& resolver, int) { resolver.before_picture(frame); });
+        each([&](auto& resolver, int first) { resolver.run(view, first, frame, executor, output); });
     }
     /// @throws quell::Error where there is no motion or no depth
     void take(FrameImages const& given) {

@@ -152,6 +152,30 @@ TEST_CASE("a choice of histories: the history has the say where nothing changes,
     }
 }
 
+TEST_CASE("a choice of histories: frames to come are told by another rule, which more samples than 32 change and more than 16 do not") {
+    for (char const* const preset : {"general", "final-frame"}) {
+        if (!has(preset)) continue;
+        CAPTURE(preset);
+        auto const picture_of = [&](std::size_t frames_each, int32_t samples) {
+            auto settings = choosing(preset);
+            settings.stages = "two-sided,evidence", settings.samples_per_pixel = samples;
+            auto const denoiser = made(settings);
+            std::vector<JumpingWall> walls(6);
+            std::vector<quell_frame> window;
+            for (unsigned i = 0; i < walls.size(); ++i) walls[i].look(i), window.push_back(*walls[i].ready());
+            for (std::size_t i = 0; i < 4; ++i) REQUIRE(quell_run_two_sided(denoiser.get(), &window[i], frames_each) == QUELL_OK);
+            return walls[3].out;
+        };
+        // Caution ends at 16 samples, with frames to come at 97.
+        auto const of_past = [&](int32_t samples) { return picture_of(1, samples); };
+        CHECK(of_past(1) != of_past(16));
+        CHECK(of_past(16) == of_past(64));
+        auto const of_all = [&](int32_t samples) { return picture_of(3, samples); };
+        CHECK(of_all(16) == of_all(32));
+        CHECK(of_all(32) != of_all(64));
+    }
+}
+
 TEST_CASE("a choice of histories: what has none is refused with a sentence") {
     quell_denoiser* none = nullptr;
     for (char const* const preset : {"none", "trmv"}) {

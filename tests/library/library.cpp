@@ -110,6 +110,32 @@ TEST_CASE("motion of another convention is read as what it means") {
     CHECK_FALSE(same(of_motion({}, 3, 2)));
 }
 
+TEST_CASE("motion that contains the jitter's change is what is left of it without, of the frames after too") {
+    auto settings = settings_of("general");
+    settings.stages = "two-sided";
+    auto const last_with = [&](int has_jitter) {
+        settings.motion.has_jitter = has_jitter;
+        auto const denoiser = made(settings);
+        std::vector<Wall> walls(6);
+        std::vector<quell_camera> cameras(walls.size());
+        std::vector<quell_frame> frames;
+        for (std::size_t i = 0; i < walls.size(); ++i) {
+            walls[i].shine(static_cast<unsigned>(i));
+            auto& camera = cameras[i];
+            camera.view[0] = camera.view[5] = camera.view[10] = camera.view[15] = 1;
+            camera.projection[0] = camera.projection[5] = 1, camera.projection[11] = camera.projection[14] = -1;
+            camera.jitter[0] = .25f * static_cast<float>(i * 3 % 4);
+            float const change = camera.jitter[0] - (i > 0 ? cameras[i - 1].jitter[0] : 0.f);
+            for (std::size_t p = 0; p < pixels; ++p) walls[i].motion[2 * p] = has_jitter != 0 ? 2.f + change : 2.f;
+            walls[i].frame.camera = &camera;
+            frames.push_back(*walls[i].ready());
+        }
+        for (std::size_t i = 0; i + 3 <= frames.size(); ++i) REQUIRE(quell_run_two_sided(denoiser.get(), &frames[i], 3) == QUELL_OK);
+        return walls[frames.size() - 3].out;
+    };
+    CHECK(last_with(1) == last_with(0));
+}
+
 TEST_CASE("frames after the first make a picture cleaner, with alpha too") {
     auto settings = settings_of("general");
     settings.stages = "two-sided";

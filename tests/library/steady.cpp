@@ -4,6 +4,7 @@
 #include <quell/pipeline/steady_guides.hpp>
 
 #include <limits>
+#include <new>
 
 using namespace wall_test;
 
@@ -96,6 +97,35 @@ TEST_CASE("steady guides: the plan says them, and what the headers' histories ta
     CHECK(plan_with("steady-depth,steady-albedo") == sentence(depth, of_depth.bytes()) + sentence(albedo, of_albedo.bytes()) + plan);
 }
 
+TEST_CASE("steady guides: without memory for what stands behind them, all begins anew") {
+    auto settings = settings_of();
+    settings.stages = "steady-depth";
+    NoisyWall wall;
+    wall.look(1);
+    REQUIRE(quell_run(made(settings).get(), wall.ready()) == QUELL_OK);
+    auto const first = wall.out;
+    long long left = 0;
+    settings.memory_user = &left;
+    settings.allocate = [](void* user, std::size_t bytes, std::size_t alignment) -> void* {
+        return (*static_cast<long long*>(user))-- > 0 ? ::operator new (bytes, std::align_val_t{alignment}, std::nothrow) : nullptr;
+    };
+    settings.release = [](void*, void* memory) { ::operator delete (memory, std::align_val_t{64}); };
+    bool failed = true;
+    int failures = 0;
+    for (; failed; ++failures) {
+        left = 1LL << 40;
+        auto const denoiser = made(settings);
+        left = failures;
+        wall.look(0);
+        failed = quell_run(denoiser.get(), wall.ready()) == QUELL_NO_MEMORY;
+        left = 1LL << 40;
+        wall.look(1);
+        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+        CHECK((wall.out == first) == failed);
+    }
+    CHECK(failures > 4);
+}
+
 TEST_CASE("steady guides: anti-aliased too; forget() drops them; what cannot be is refused with a sentence") {
     auto settings = settings_of();
     settings.stages = "steady-depth,steady-albedo,resolve";
@@ -111,6 +141,12 @@ TEST_CASE("steady guides: anti-aliased too; forget() drops them; what cannot be 
     REQUIRE(quell_forget(denoiser.get()) == QUELL_OK);
     REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
     CHECK(wall.out == first);
+    wall.frame.has_number = 1;
+    for (int const number : {5, 7}) { // the second does not follow
+        wall.frame.number = number;
+        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
+        CHECK((wall.out == first) == (number == 7));
+    }
 
     quell_denoiser* none = nullptr;
     settings.stages = "steady-colour";

@@ -76,7 +76,7 @@ TEST_CASE("evidence: an estimate that follows its pixels' own noise is not taken
     CHECK(blind == doctest::Approx(.5).epsilon(.2));
     CHECK(part(.2f, -.2f, {}, .3f) > blind);
     // What samples do not change is judged as ever.
-    CHECK(part(0.f, .5f, Evidence::of_samples(16.f)) == doctest::Approx(part(0.f, .5f)));
+    CHECK(part(0.f, .5f, Evidence::of_samples(16.f)) == doctest::Approx(part(0.f, .5f, {.both_halves = false})));
 }
 
 TEST_CASE("evidence: of many samples there is no caution, and a history that has seen later frames is trusted less, the more there are") {
@@ -86,7 +86,9 @@ TEST_CASE("evidence: of many samples there is no caution, and a history that has
         CHECK(Evidence::with_later_frames(few).caution == Evidence{}.caution);
     }
     for (float const many : {16.f, 1024.f})
-        CHECK(Evidence::of_samples(many).caution == doctest::Approx(0.)); // files may say more than is true
+        CHECK(Evidence::of_samples(many).caution == doctest::Approx(0.));       // files may say more than is true
+    for (auto const rule : {Evidence::of_samples, Evidence::with_later_frames}) // one half says enough, of more samples than one
+        for (float const samples : {1.f, 2.f, 64.f}) CHECK(rule(samples).both_halves == (samples == 1.f));
     CHECK(Evidence::with_later_frames(4.f).doubt == doctest::Approx(.5));
     for (float const many : {16.f, 64.f, 1024.f}) CHECK(Evidence::with_later_frames(many).doubt == doctest::Approx(1.));
     CHECK(Evidence::with_later_frames(16.f).caution == doctest::Approx(2.));

@@ -80,6 +80,18 @@ TEST_CASE("light given back: stripes come back, with a frame before more of them
     for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(difference(in_halves[i], wanted[i]) < 2e-3);
 }
 
+TEST_CASE("light given back: it is what a residual gives back, and then what repeats itself of what is still lacking") {
+    constexpr float samples = 4.f;
+    FlatSurface both(light_given_back(radiance, samples, true));
+    FlatSurface first(Pipeline{denoised, Spatial{ResidualFeedback<Radiance>{.samples = samples, .is_judged = true}}});
+    FlatSurface second(Pipeline{denoised, Spatial{RepeatedResidual<Radiance>{.samples = samples}}});
+    for (unsigned i = 0; i < 3; ++i) {
+        auto const seen = with_noise(stripes(), .3f, i);
+        put(second.frame[denoised], first.run(seen));
+        CHECK(difference(second.run(seen), both.run(seen)) < 1e-5);
+    }
+}
+
 TEST_CASE("light given back: the memory is that of the plan") {
     FlatSurface seen(give_back, {1024, 16});
     for (int i = 0; i < 2; ++i) run(give_back, seen.frame, seen.history);

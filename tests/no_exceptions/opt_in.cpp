@@ -46,12 +46,12 @@ void check_metrics() {
 }
 
 void check_two_sided() {
-    using F = decltype(Frame{image_size, counted, two_sided});
+    using F = decltype(Frame{image_size, TwoSided{counted}});
     std::deque<F> window;
-    for (unsigned i = 0; i < 2; ++i) fill_randomly(window.emplace_back(image_size, counted, two_sided), i);
+    for (unsigned i = 0; i < 2; ++i) fill_randomly(window.emplace_back(image_size, TwoSided{counted}), i);
     invert_motion(window[0][motion_next].view(), window[1][motion].view(), window[1][depth].view());
-    TwoSidedHistory history{image_size, counted};
-    auto const clean = run_two_sided(counted, window, history);
+    History history{image_size, TwoSided{counted}};
+    auto const clean = run(TwoSided{counted}, window, history);
     check(is_finite(clean.get(0, 5, 5)), "two-sided time is finite");
 }
 

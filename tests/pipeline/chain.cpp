@@ -47,6 +47,16 @@ struct GiveBackMean {
     constexpr void for_each_pass(auto&& pass) const { pass(TakeLacking{}), pass(AddMean{share}); }
 };
 
+/// Shows for how long the shutter is open.
+struct ShowShutter {
+    static constexpr auto name = "show shutter";
+    static constexpr int farthest_tap = 0;
+    QUELL_KERNEL auto filter(auto px) const {
+        using Real = typename decltype(px)::Real;
+        return splat<vec3<Real>>(Real(px.shutter_now()));
+    }
+};
+
 constexpr Extent size{37, 19};
 constexpr auto first = Pipeline{radiance, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous{}}};
 constexpr auto give_back = Pipeline{denoised, Spatial{GiveBackMean{}}};
@@ -94,6 +104,16 @@ TEST_CASE("links follow each other, behind a composite too; one that does nothin
     constexpr auto nothing = Chain{lit, Pipeline{denoised}};
     History of_nothing{size, nothing};
     CHECK(picture == tests::copy_of(run(nothing, frame, of_nothing)));
+}
+
+TEST_CASE("a link has the shutter of the frame") {
+    constexpr auto show = Chain{presets::none(radiance), Pipeline{denoised, Spatial{ShowShutter{}}}};
+    Frame frame{size, show};
+    History history{size, show};
+    for (float const shutter : {.25f, 1.f}) {
+        frame.shutter = shutter;
+        for (float const shown : tests::copy_of(run(show, frame, history))) CHECK(shown == shutter);
+    }
 }
 
 TEST_CASE("a link has a history of its own") {

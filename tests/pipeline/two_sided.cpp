@@ -9,9 +9,10 @@ using namespace quell;
 
 namespace {
 constexpr Extent size{64, 48};
-constexpr auto denoise = presets::general(radiance, KnownSamples{}), joining = presets::general_joining(radiance, KnownSamples{});
-using P = std::remove_const_t<decltype(denoise)>;
-using OneFrame = Frame<decltype(P::reads{} | TwoSided::reads{})>;
+constexpr auto one_sided = presets::general(radiance, KnownSamples{});
+constexpr TwoSided denoise{one_sided, presets::general_joining(radiance, KnownSamples{})};
+using P = std::remove_const_t<decltype(one_sided)>;
+using OneFrame = Frame<decltype(denoise)::reads>;
 
 /// Light that `truth(x, y, number)` says, with noise; nothing moves.
 OneFrame frame_of(long long number, auto&& truth) {
@@ -26,13 +27,13 @@ OneFrame frame_of(long long number, auto&& truth) {
 }
 /// What is made of frame `last`, with so many frames after it.
 std::vector<float> made(int last, int after, auto&& truth, auto const& executor, auto&& change) {
-    TwoSidedHistory history{size, denoise};
+    History history{size, denoise};
     std::vector<float> out;
     for (int i = 0; i <= last; ++i) {
         std::deque<OneFrame> window;
         for (int k = 0; k <= (i == last ? after : 0); ++k) window.push_back(frame_of(i + k, truth));
         change(window);
-        out = tests::copy_of(run_two_sided(denoise, joining, window, history, executor));
+        out = tests::copy_of(run(denoise, window, history, executor));
     }
     return out;
 }
@@ -57,13 +58,13 @@ float moving(int x, int, long long number) { return 1.f + 0.8f * std::sin(0.2f *
 } // namespace
 
 TEST_CASE("without its scratch a history is smaller, and the next frame the same") {
-    TwoSidedHistory kept{size, denoise}, released{size, denoise};
+    History kept{size, denoise}, released{size, denoise};
     std::size_t most = 0, least = 0;
     for (int i = 0; i < 4; ++i) {
         std::deque<OneFrame> window;
         for (int k = 0; k < 3; ++k) window.push_back(frame_of(i + k, moving));
-        auto const expected = tests::copy_of(run_two_sided(denoise, joining, window, kept));
-        CHECK(tests::copy_of(run_two_sided(denoise, joining, window, released)) == expected);
+        auto const expected = tests::copy_of(run(denoise, window, kept));
+        CHECK(tests::copy_of(run(denoise, window, released)) == expected);
         most = released.bytes();
         CHECK(most <= kept.bytes());
         released.release_scratch();
@@ -74,6 +75,17 @@ TEST_CASE("without its scratch a history is smaller, and the next frame the same
     CHECK(least < most / 2);
 }
 
+TEST_CASE("frames without numbers follow each other, and those after one are accumulated anew in each call") {
+    History numbered{size, denoise}, plain{size, denoise};
+    for (int i = 0; i < 3; ++i) {
+        std::deque<OneFrame> window;
+        for (int k = 0; k < 3; ++k) window.push_back(frame_of(i + k, moving));
+        auto const expected = tests::copy_of(run(denoise, window, numbered));
+        for (auto& frame : window) frame.number.reset();
+        CHECK(tests::copy_of(run(denoise, window, plain)) == expected);
+    }
+}
+
 TEST_CASE("frames from after lower the noise of one that has few before it, and the lag of light that moves") {
     CHECK(error(made(0, 2, still), 0, still) < 0.85 * error(made(0, 0, still), 0, still));
     CHECK(error(made(8, 2, moving), 8, moving) < 0.95 * error(made(8, 0, moving), 8, moving));
@@ -81,7 +93,7 @@ TEST_CASE("frames from after lower the noise of one that has few before it, and 
 
 TEST_CASE("a window of one frame is run()") {
     Frame<P::reads> frame{size};
-    History history{size, denoise};
+    History history{size, one_sided};
     std::vector<float> out;
     for (int i = 0; i < 3; ++i) {
         auto const source = frame_of(i, still);
@@ -91,7 +103,7 @@ TEST_CASE("a window of one frame is run()") {
             });
         });
         frame.number = i;
-        out = tests::copy_of(run(denoise, frame, history));
+        out = tests::copy_of(run(one_sided, frame, history));
     }
     CHECK(made(2, 0, still) == out);
 }
@@ -106,8 +118,8 @@ TEST_CASE("a gap in the numbers or another size ends the window, and an empty on
     };
     CHECK(made(3, 2, still, Simd{}, larger) == made(3, 1, still));
     std::deque<OneFrame> none;
-    TwoSidedHistory history{size, denoise};
-    CHECK(tests::message([&] { run_two_sided(denoise, none, history); }).find("no frames") != std::string::npos);
+    History history{size, denoise};
+    CHECK(tests::message([&] { run(denoise, none, history); }).find("no frames") != std::string::npos);
 }
 
 TEST_CASE("frames from after a cut change next to nothing") {
@@ -126,8 +138,8 @@ TEST_CASE("frames are left as they were, and threads compute the same") {
             for_each_channel(OneFrame::channels{}, [&](auto c) { where.push_back(tests::copy_of(frame[c].view())); });
     };
     keep(before);
-    TwoSidedHistory history{size, denoise};
-    run_two_sided(denoise, window, history);
+    History history{size, denoise};
+    run(denoise, window, history);
     keep(after);
     CHECK(before == after);
     CHECK(window[1].number == 1);
@@ -165,8 +177,8 @@ TEST_CASE("frames in the host's memory give the same, and stay as they are") {
             other[c] = {view.planes[0], size, 1, view.row_stride(), apart};
         });
     }
-    TwoSidedHistory history{size, denoise}, host_history{size, denoise};
-    auto const out = tests::copy_of(run_two_sided(denoise, joining, borrowed, host_history, Simd{}));
+    History history{size, denoise}, host_history{size, denoise};
+    auto const out = tests::copy_of(run(denoise, borrowed, host_history, Simd{}));
     CHECK(tests::copy_of(own[0][radiance].view()) == before);
-    CHECK(out == tests::copy_of(run_two_sided(denoise, joining, own, history, Simd{})));
+    CHECK(out == tests::copy_of(run(denoise, own, history, Simd{})));
 }

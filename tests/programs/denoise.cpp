@@ -279,6 +279,26 @@ TEST_CASE("--plan shows the passes of a preset, named or suited to the files, an
     CHECK(contains(denoise("--plan").err, "neither --preset nor --in is there"));
 }
 
+TEST_CASE("--stages names what is done behind a preset, in place of the preset's own") {
+    Folder const folder;
+    write_sequence(folder, 1, 4);
+    auto const made_with = [&](std::string const& more) {
+        auto const ran = denoise(input(folder) + output(folder) + "--quiet " + more);
+        INFO(ran.err);
+        REQUIRE(ran.code == 0);
+        return bytes_of(folder / "out.0004.exr");
+    };
+    auto const whole = made_with(""), quick = made_with("--quick"), evidence = made_with("--stages evidence");
+    CHECK(made_with("--stages light,evidence,colours") == whole);
+    CHECK(evidence != quick);
+    CHECK(made_with("--preset svgf --stages evidence") != made_with("--preset svgf"));
+    CHECK(contains(denoise("--plan --preset svgf --stages evidence").out, "| mix by evidence |"));
+    auto const to = input(folder) + output(folder);
+    check_refused(denoise(to + "--stages light,resolve"), {"--stages", "'resolve'", "evidence, light, colours"});
+    check_refused(denoise(to + "--stages light --quick"), {"--stages", "--quick"});
+    check_refused(denoise(to + "--stages light --preset none"), {"--stages", "preset none", "general"});
+}
+
 TEST_CASE("frames from after are used by general, as many as there are and are asked for") {
     Folder const folder;
     write_sequence(folder, 1, 6);

@@ -82,6 +82,16 @@ TEST_CASE("a thing that touches what stands still leaves no trail on it") {
     CHECK(at_rest.at(14) == doctest::Approx(1.f).epsilon(1e-5));
 }
 
+TEST_CASE("of three surfaces, a wall before the sky lies behind with it, however far the sky is") {
+    TestFrame const here({.speed = 0.f, .behind = 30.f}, 0);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 13; x < size.width; ++x) here.depth.view().set(0, x, y, std::numeric_limits<float>::infinity());
+    ImageOf<Planar<>, Albedo> to(size);
+    anti_alias({.deviation = .6f, .by_surface = true}, Simd{}, here.view(), {}, {}, here.light.view(), to.view());
+    float const beside = std::exp(-.5f / .36f), covered = beside / (1.f + 2.f * beside); // by the thing, of the wall's only column
+    CHECK(to.view().get(1, 12, 4) == doctest::Approx(covered * .5f + 1.f - covered));
+}
+
 TEST_CASE("what changes by itself is not averaged, where that is asked for") {
     // Beside an edge: where colours are all alike, none is averaged.
     CHECK(AntiAliasedRow({}, {.change = .1f}, Simd{}, 4, 3.f).at(12) < 1.001f);

@@ -3,6 +3,7 @@
 #include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/run.hpp>
 #include <quell/pipeline/stand_ins.hpp>
+#include <quell/pipeline/window.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -17,19 +18,19 @@ template <class P> inline constexpr bool is_link = false;
 template <class... Parts> inline constexpr bool is_link<Pipeline<Denoised, Parts...>> = true;
 } // namespace detail
 
-/// Denoisers one behind the other. The first is a Pipeline, a Composite or a ByEvidence, each of the others a Pipeline of the channel
-/// `denoised`: what the one before has made, at every pixel. Their policies read the frame's channels too, such as the samples. Used like a
-/// Pipeline:
+/// Denoisers one behind the other. The first is a Pipeline, a Composite, a ByEvidence or a TwoSided, each of the others a Pipeline of the
+/// channel `denoised`: what the one before has made, at every pixel. Their policies read the frame's channels too, such as the samples.
+/// Used like a Pipeline:
 ///
 ///     constexpr auto denoise = Chain{presets::general(radiance), Pipeline{denoised, Spatial{Sharpen{}}}};
 ///     Frame frame{size, denoise};    History history{size, denoise};    run(denoise, frame, history);
 ///
 /// All have one pool of images. Passes of a link are the same types behind any first denoiser with the same storage.
-/// @tparam First a Pipeline, a Composite or a ByEvidence of three components
+/// @tparam First a Pipeline, a Composite, a ByEvidence or a TwoSided, of three components
 /// @tparam Links Pipelines of `denoised`
 template <class First, class... Links> struct Chain {
-    static_assert(detail::PlainPipeline<First> && (detail::is_link<Links> && ...) && sizeof...(Links) > 0,
-                  "Chain{first, links...}: the first is a Pipeline, a Composite or a ByEvidence, each of the others a "
+    static_assert((detail::PlainPipeline<First> || detail::is_two_sided<First>)&&(detail::is_link<Links> && ...) && sizeof...(Links) > 0,
+                  "Chain{first, links...}: the first is a Pipeline, a Composite, a ByEvidence or a TwoSided, each of the others a "
                   "Pipeline{quell::denoised, ...}");
     static_assert(First::Output::components == 3, "Chain{first, links...}: the first must make a colour, of three components");
     using Output = typename First::Output; ///< channel of the picture
@@ -90,12 +91,14 @@ private:
 
 namespace detail {
 struct ChainRun {
-    template <class First, class... Links, class Set, class FrameStorage, class Storage, class E, class Into>
-    static auto all(Chain<First, Links...> const& chain, Frame<Set, FrameStorage> const& frame,
-                    History<Chain<First, Links...>, Storage>& history, E const& executor, Into const& into) {
+    /// @param given a frame, or a window
+    template <class First, class... Links, class Given, class Storage, class E, class Into>
+    static auto all(Chain<First, Links...> const& chain, Given& given, History<Chain<First, Links...>, Storage>& history, E const& executor,
+                    Into const& into) {
+        auto const& frame = first_frame(given);
         // Checked before any denoiser runs: an error must leave all histories at the same frame.
         check_frame<Chain<First, Links...>>(frame);
-        auto const made = run(chain.first, frame, history.first, executor);
+        auto const made = run(chain.first, given, history.first, executor);
         return through<0>(made, chain.links, frame, history, executor, into);
     }
 
@@ -118,6 +121,10 @@ private:
         return with_stand_ins<typename Link::reads, Channels<Denoised>, Storage>(frame, [&](auto) { return made; });
     }
 };
+} // namespace detail
+
+namespace detail {
+template <class First, class... Links> struct RunOf<Chain<First, Links...>> : ChainRun {};
 } // namespace detail
 
 /// Denoises one frame by all denoisers of a chain. Returns a view of the picture, valid until the next run with this history.

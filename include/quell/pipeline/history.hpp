@@ -12,6 +12,7 @@ template <class First, class... Links> struct Chain;
 template <class P, class Policy> struct Resolved;
 template <class P, int frames> struct Remodulated;
 template <class P, class Judge> struct ByEvidence;
+template <class P> struct TwoSided;
 template <class P, ImageStorage Storage> class History;
 
 namespace detail {
@@ -20,6 +21,8 @@ struct DiagnosisNotes;
 struct ChainRun;
 /// Puts the passes of a denoiser that its histories have run in their last frame among those of a plan.
 template <class P> struct PassesOf;
+/// How many frames before the last one it keeps as they were.
+template <class P> inline constexpr int kept_frames_of = 0;
 /// Access to what a history holds.
 struct OpenHistory {
     template <class H> static auto& images(H& history) { return history.images; }
@@ -29,6 +32,8 @@ struct OpenHistory {
             return history.images.pool;
         else if constexpr (requires { history.pool; })
             return history.pool;
+        else if constexpr (requires { history.before; })
+            return shared_pool(history.before);
         else
             return shared_pool(history.first);
     }
@@ -41,6 +46,8 @@ struct OpenHistory {
             return frames(std::get<0>(history.histories));
         else if constexpr (requires { history.with; })
             return frames(history.with);
+        else if constexpr (requires { history.before; })
+            return frames(history.before);
         else
             return frames(history.first);
     }
@@ -55,15 +62,24 @@ template <class... Ps> std::true_type a_pipeline(Chain<Ps...> const*);
 template <class P, class Policy> std::true_type a_pipeline(Resolved<P, Policy> const*);
 template <class P, int frames> std::true_type a_pipeline(Remodulated<P, frames> const*);
 template <class P, class Judge> std::true_type a_pipeline(ByEvidence<P, Judge> const*);
+template <class P> std::true_type a_pipeline(TwoSided<P> const*);
 std::false_type a_pipeline(void const*);
 template <class... Parts> std::true_type has_stages(Pipeline<Parts...> const*);
 template <class... Ps> std::true_type has_stages(Composite<Ps...> const*);
 template <class... Ps> std::true_type has_stages(Chain<Ps...> const*);
 template <class P, class Judge> std::true_type has_stages(ByEvidence<P, Judge> const*);
+template <class P> std::true_type takes_window(TwoSided<P> const*);
+template <class First, class... Links>
+auto takes_window(Chain<First, Links...> const*) -> decltype(takes_window(static_cast<First const*>(nullptr)));
+template <class P, class Policy> auto takes_window(Resolved<P, Policy> const*) -> decltype(takes_window(static_cast<P const*>(nullptr)));
+template <class P, int frames> auto takes_window(Remodulated<P, frames> const*) -> decltype(takes_window(static_cast<P const*>(nullptr)));
+std::false_type takes_window(void const*);
 std::false_type has_stages(void const*);
 template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);
 std::false_type a_history(void const*);
 template <class T> inline constexpr bool is_pipeline = decltype(a_pipeline(static_cast<T const*>(nullptr)))::value;
+/// Whether a denoiser is given the frames after each one too: a TwoSided, and what stands behind one.
+template <class T> inline constexpr bool is_two_sided = decltype(takes_window(static_cast<T const*>(nullptr)))::value;
 /// A denoiser whose passes a plan lists: a Pipeline, a Composite, a ByEvidence or a Chain.
 template <class T>
 concept PlainPipeline = decltype(has_stages(static_cast<T const*>(nullptr)))::value;

@@ -104,16 +104,30 @@ template <class First, class... Links> struct PassesOf<Chain<First, Links...>> {
 };
 } // namespace detail
 
-/// The plan of a denoiser: the passes in order, what each reads and writes, and the memory. No pixel is computed.
-/// @param pipeline a Pipeline, a Composite, a ByEvidence or a Chain
+namespace detail {
+/// Whether what a denoiser runs can be listed.
+template <class P>
+concept Planned = requires {
+    sizeof(PassesOf<P>);
+};
+} // namespace detail
+
+/// The plan of a denoiser: the passes in order, what each reads and writes, and the memory. No pixel is computed. Of a TwoSided it is that
+/// of a window of two frames.
+/// @param pipeline a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, a Resolved or a Remodulated
 /// @param storage  of the history
-template <detail::PlainPipeline P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
+template <detail::Planned P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
     // Large enough that padding hardly counts.
     constexpr Extent size{1024, 16};
-    Frame frame{size, pipeline};
-    frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
+    decltype(Frame{size, pipeline}) window[]{Frame{size, pipeline}, Frame{size, pipeline}};
+    for (auto& frame : window)
+        frame.camera.projection[2][3] = -1.f, frame.camera.projection[3][3] = 0.f, frame.camera.projection[3][2] = -1.f;
     History<P, Storage> history{size, pipeline, storage};
-    for (int i = 0; i < 2; ++i) run(pipeline, frame, history, detail::NoWork{});
+    for (int i = 0; i < 2 + detail::kept_frames_of<P>; ++i)
+        if constexpr (detail::is_two_sided<P>)
+            run(pipeline, window, history, detail::NoWork{});
+        else
+            run(pipeline, window[0], history, detail::NoWork{});
     Plan plan;
     detail::PassesOf<P>::append(plan.passes, pipeline, history);
     plan.bytes_per_pixel = history.bytes_per_pixel();
@@ -121,9 +135,9 @@ template <detail::PlainPipeline P, ImageStorage Storage = Planar<>> Plan plan_of
 }
 /// @cond
 template <class P, class... Storage> Plan plan_of(P const&, Storage const&...) {
-    static_assert(detail::PlainPipeline<P>,
-                  "plan_of(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() "
-                  "and resolve() give it their member `pipeline`");
+    static_assert(detail::Planned<P>,
+                  "plan_of(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve and "
+                  "presets::anti_aliased make");
     return {};
 }
 /// @endcond

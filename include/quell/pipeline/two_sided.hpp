@@ -1,52 +1,68 @@
 #pragma once
 
 #include <quell/blend/variance_over_time.hpp>
-#include <quell/pipeline/run.hpp>
+#include <quell/pipeline/window.hpp>
 
-#include <iterator>
 #include <optional>
 #include <utility>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
-/// The channels that frames of a two-sided run need beside the pipeline's.
+/// A pipeline whose pictures are made of the frames before each one, from the history, and of those after it, for offline use. Moving light
+/// lags less, and disoccluded pixels have a history too.
 ///
-///     Frame frame{size, denoise, two_sided};
-struct TwoSided {
-    using reads = Channels<MotionNext>;
-};
-inline constexpr TwoSided two_sided;
-
-/// State between calls of run_two_sided().
-/// @tparam P       a pipeline with KnownSamples{} and WithVariance{...RunningMean{}}, as presets::general(radiance, KnownSamples{})
-/// @tparam Storage of history and scratch
-template <class P, ImageStorage Storage = Planar<>> class TwoSidedHistory {
+/// The frames after it are accumulated backwards in time, along motion_next, by the same pipeline. The result of the frames before then
+/// enters that run as if it were the frame's samples, so history is forgotten where the light has changed. The spatial filters follow.
+///
+///     constexpr TwoSided denoise{presets::general(radiance, KnownSamples{}), presets::general_joining(radiance, KnownSamples{})};
+///     Frame frame{size, denoise};     History history{size, denoise};
+///     auto clean = run(denoise, window, history, Threads{});    // window[0] is denoised, the others follow it
+///
+/// A call costs one run() and, for each further frame, one accumulate(). Chain, presets::resolve and presets::anti_aliased take one too.
+/// @tparam P a pipeline with KnownSamples{} and WithVariance{...RunningMean{}}, as presets::general(radiance, KnownSamples{})
+template <class P> struct TwoSided {
     static_assert(P::known_samples::size > 0 && P::keeps::template has<HistoryLength> && P::keeps::template has<LuminanceVariance>,
-                  "TwoSidedHistory{size, pipeline}: what several frames have in common counts as several samples: the pipeline needs "
+                  "TwoSided{pipeline, joining}: what several frames have in common counts as several samples: the pipeline needs "
                   "KnownSamples{}, and a Temporal{..., WithVariance{RunningMean{}}}");
+    using Output = typename P::Output;                                          ///< channel of the picture
+    using reads = decltype(typename P::reads{} | Channels<MotionNext>{});       ///< channels that the host must supply
+    static constexpr MotionConvention motion_convention = P::motion_convention; ///< what the host's motion vectors mean: see Supplied
+    static constexpr bool needs_camera = P::needs_camera;                       ///< whether frame.camera must be set
 
+    P pipeline; ///< accumulates both sides
+    P joining;  ///< joins them. Where light moves, one side lags and the other leads, so that their mean is better than either
+
+    /// @param both accumulates and joins
+    constexpr explicit TwoSided(P const& both) : TwoSided(both, both) {}
+    /// @param accumulating the pipeline
+    /// @param joins        the same pipeline with other numbers, as presets::general_joining
+    constexpr TwoSided(P const& accumulating, P const& joins) : pipeline(accumulating), joining(joins) {}
+};
+
+/// State between frames of a TwoSided.
+template <class P, ImageStorage Storage> class History<TwoSided<P>, Storage> {
 public:
     /// @throws Error for a size without pixels
-    explicit TwoSidedHistory(Extent size, P const& pipeline, Storage const& storage = {})
-        : before(size, pipeline, storage), after(size, pipeline, storage) {}
+    explicit History(Extent size, TwoSided<P> const& denoiser, Storage const& storage = {})
+        : before(size, denoiser.pipeline, storage), after(size, denoiser.pipeline, storage) {}
 
     /// Drops all history before the next frame.
     void forget() { before.forget(); }
-    /// Gives scratch back, what run_two_sided() returned, and the frames after. The next call takes it again.
+    /// Gives scratch back, what run() returned, and the frames after. The next call takes it again.
     void release_scratch() {
         before.release_scratch();
         after.release();
     }
     /// Counts of the frames before.
-    [[nodiscard]] Statistics const& statistics() const { return before.statistics(); }
+    [[nodiscard]] Statistics statistics() const { return before.statistics(); }
     /// Memory of both histories, in bytes.
     [[nodiscard]] std::size_t bytes() const { return before.bytes() + after.bytes(); }
+    /// The same per pixel of the frame.
+    [[nodiscard]] double bytes_per_pixel() const { return before.bytes_per_pixel() + after.bytes_per_pixel(); }
 
     History<P, Storage> before; ///< the frame that was denoised last, and those before it
     History<P, Storage> after;  ///< the frames after it, accumulated anew in each call
 };
-template <class P> TwoSidedHistory(Extent, P const&) -> TwoSidedHistory<P>;
-template <class P, class Storage> TwoSidedHistory(Extent, P const&, Storage const&) -> TwoSidedHistory<P, Storage>;
 
 namespace detail {
 /// Swaps two images for as long as this lives.
@@ -111,106 +127,68 @@ public:
 };
 
 /// Copies the accumulated light of a frame, its number of samples and their variance to images that the backward run reads as its input.
-template <class P, class Storage>
-void copy_accumulated(ImageView auto const& light, History<P, Storage> const& history, ImageView auto const& to_light,
-                      ImageView auto const& to_count, ImageView auto const& to_variance) {
-    auto const length = history[history_length];
-    auto const variance = history[luminance_variance];
-    for (int y = 0; y < light.size.height; ++y)
-        for (int x = 0; x < light.size.width; ++x) {
-            for (int c = 0; c < P::Output::components; ++c) to_light.set(c, x, y, light.get(c, x, y));
-            float const n = length.get(0, x, y);
-            to_count.set(0, x, y, n);
-            to_variance.set(0, x, y, n > 1.f ? unbiased_variance(variance.get(0, x, y), n) : 0.f);
-        }
-}
-} // namespace detail
+template <class From, class Length, class Variance, class To, class Count, class ToVariance> struct CopyAccumulated {
+    static constexpr auto name = "accumulated";
+    From from;
+    Length length;
+    Variance variance;
+    To to;
+    Count count;
+    ToVariance to_variance;
 
-namespace detail {
-/// A range of frames, by number.
-template <class W>
-concept Window = requires(W& window) {
-    { window[0].size } -> std::convertible_to<Extent>;
-    { std::size(window) } -> std::convertible_to<std::size_t>;
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int pixels) const {
+        auto const n = load_pixels<Real>(length, x, y);
+        auto const over_time = unbiased_variance(Real(load_pixels<Real>(variance, x, y)), Real(n));
+        store_pixels<Real>(to, x, y, load_pixels<Real>(from, x, y), pixels);
+        store_pixels<Real>(count, x, y, n, pixels);
+        store_pixels<Real>(to_variance, x, y, select(n > Real(1.f), over_time, Real(0.f)), pixels);
+    }
 };
-/// run_two_sided() for frames that are right for it.
-template <class P, class W, class Storage, class E>
-auto run_window(P const& pipeline, P const& joining, W& window, TwoSidedHistory<P, Storage>& history, E const& executor) {
-    using F = std::remove_reference_t<decltype(window[0])>;
-    using Output = typename P::Output;
-    if (std::size(window) == 0)
-        raise_error<Failure>("run_two_sided: the window", "no frames", "give the frame to denoise and those after it");
-    std::size_t last = 0;
-    auto const follows = [&](std::size_t i) {
-        return window[i].size == window[0].size &&
-               (!window[i].number || !window[i - 1].number || *window[i].number == *window[i - 1].number + 1);
-    };
-    while (last + 1 < std::size(window) && follows(last + 1)) ++last;
-    auto& frame = window[0];
-    if (last == 0) return run(pipeline, frame, history.before, executor);
+template <class... Views> CopyAccumulated(Views...) -> CopyAccumulated<Views...>;
 
-    auto const accumulated = accumulate(pipeline, frame, history.before, executor);
-    history.after.forget();
-    for (auto i = last; i > 0; --i) {
-        Exchanged const backwards(window[i][motion], window[i][motion_next]);
-        CountedBackwards const number(window[i]);
-        accumulate(pipeline, window[i], history.after, executor);
+template <class P> struct PassesOf<TwoSided<P>> {
+    static void append(auto& passes, TwoSided<P> const& denoiser, auto& history) {
+        for ([[maybe_unused]] auto const* const side : {"before", "after"}) PassesOf<P>::append(passes, denoiser.pipeline, history.before);
+        passes.push_back({.name = "accumulated",
+                          .denoises = P::Output::name,
+                          .reads = {"signal", HistoryLength::name, LuminanceVariance::name},
+                          .writes = {P::Output::name, SampleCount::name, SampleVariance::name}});
+        PassesOf<P>::append(passes, denoiser.joining, history.after);
     }
-    StandIn<F, Output> const light(frame);
-    StandIn<F, SampleCount> const count(frame);
-    StandIn<F, SampleVariance> const variance(frame);
-    copy_accumulated(accumulated, history.before, light.view(), count.view(), variance.view());
-    Exchanged const backwards(frame[motion], frame[motion_next]);
-    CountedBackwards const number(frame);
-    return run(joining, frame, history.after, executor);
-}
+};
+template <class P> struct RunOf<TwoSided<P>> {
+    template <class W, class Storage, class E, class Into>
+    static auto all(TwoSided<P> const& denoiser, W& window, History<TwoSided<P>, Storage>& history, E const& executor, Into const& into) {
+        using F = FirstFrame<W>;
+        auto& frame = first_frame(window);
+        std::size_t last = 0;
+        auto const follows = [&](std::size_t i) {
+            return window[i].size == frame.size &&
+                   (!window[i].number || !window[i - 1].number || *window[i].number == *window[i - 1].number + 1);
+        };
+        while (last + 1 < std::size(window) && follows(last + 1)) ++last;
+        constexpr int whole = StageOrder<P>::count;
+        if (last == 0) return run_stages<whole>(denoiser.pipeline, frame, history.before, executor, into);
+
+        auto const accumulated = accumulate(denoiser.pipeline, frame, history.before, executor);
+        history.after.forget();
+        for (auto i = last; i > 0; --i) {
+            Exchanged const backwards(window[i][motion], window[i][motion_next]);
+            CountedBackwards const number(window[i]);
+            accumulate(denoiser.pipeline, window[i], history.after, executor);
+        }
+        StandIn<F, typename P::Output> const light(frame);
+        StandIn<F, SampleCount> const count(frame);
+        StandIn<F, SampleVariance> const variance(frame);
+        run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height},
+                       CopyAccumulated{accumulated, history.before[history_length], history.before[luminance_variance], light.view(),
+                                       count.view(), variance.view()});
+        submit_queue(executor);
+        Exchanged const backwards(frame[motion], frame[motion_next]);
+        CountedBackwards const number(frame);
+        return run_stages<whole>(denoiser.joining, frame, history.after, executor, into);
+    }
+};
 } // namespace detail
-
-/// Denoises a frame with the frames before it, from the history, and those after it, for offline use. Moving light lags less, and
-/// disoccluded pixels have a history too.
-///
-/// The frames after it are accumulated backwards in time, along motion_next, by the same pipeline. The result of the frames before then
-/// enters that run as if it were the frame's samples, so history is forgotten where the light has changed. The spatial filters follow.
-///
-///     Frame frame{size, denoise, two_sided};     TwoSidedHistory history{size, denoise};
-///     auto clean = run_two_sided(denoise, window, history, Threads{});    // window[0] is denoised, the others follow it
-///
-/// The window ends where frame numbers do not follow each other or the size changes; it may be a single frame. A call costs one run() and,
-/// for each further frame, one accumulate(). The frames are changed during the call and restored; images of the host's that they borrow are
-/// not written.
-/// @param pipeline for accumulating both sides
-/// @param joining  the same pipeline, maybe with other numbers, for joining the two sides. Where light moves, one side lags and the other
-/// leads, so that their mean is better than either: presets::general_joining
-/// @param window   range of frames with operator[], such as std::deque<Frame<...>>; they have MotionNext
-/// @param history  state between calls
-/// @param executor what runs the passes
-/// @throws Error for a window without frames, and as run() does
-template <class P, class Window, class Storage, Executor E = Simd>
-auto run_two_sided(P const& pipeline, P const& joining, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
-    if constexpr (!detail::Window<Window>) {
-        static_assert(sizeof(Window) == 0,
-                      "run_two_sided(pipeline, window, history): `window` must be a range of frames with operator[], such "
-                      "as std::deque<Frame<...>>");
-        return detail::NoOutput{};
-    } else {
-        using F = std::remove_reference_t<decltype(window[0])>;
-        constexpr bool has_motion_next = F::channels::template has<MotionNext>,
-                       has_copies = !std::is_void_v<detail::StorageOfCopies<typename F::storage>>;
-        static_assert(has_motion_next,
-                      "run_two_sided(pipeline, window, ...): the frames have no motion_next; construct them with two_sided");
-        static_assert(has_copies,
-                      "run_two_sided(pipeline, window, ...): the frames must own their memory (Planar<>), or their storage name one "
-                      "that does, `Copy`, as Borrowed<> does");
-        if constexpr (has_motion_next && has_copies)
-            return detail::run_window(pipeline, joining, window, history, executor);
-        else
-            return detail::NoOutput{};
-    }
-}
-/// The same with `pipeline` for joining as well.
-template <class P, class Window, class Storage, Executor E = Simd>
-auto run_two_sided(P const& pipeline, Window& window, TwoSidedHistory<P, Storage>& history, E const& executor = {}) {
-    return run_two_sided(pipeline, pipeline, window, history, executor);
-}
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -34,12 +34,22 @@ template <class... Ps> [[nodiscard]] constexpr int warm_up_frames(Composite<Ps..
 template <class First, class... Links> [[nodiscard]] constexpr int warm_up_frames(Chain<First, Links...> const& chain) {
     return std::apply([&](auto const&... link) { return std::max({warm_up_frames(chain.first), warm_up_frames(link)...}); }, chain.links);
 }
+/// Those of the frames before: the frames after begin anew in each call.
+template <class P> [[nodiscard]] constexpr int warm_up_frames(TwoSided<P> const& denoiser) { return warm_up_frames(denoiser.pipeline); }
+/// And the frames that are kept.
+template <class P, class Policy> [[nodiscard]] constexpr int warm_up_frames(Resolved<P, Policy> const& resolved) {
+    return warm_up_frames(resolved.pipeline) + Policy::past_frames;
+}
+/// And the frames that are kept.
+template <class P, int frames> [[nodiscard]] constexpr int warm_up_frames(Remodulated<P, frames> const& remodulated) {
+    return warm_up_frames(remodulated.pipeline) + frames;
+}
 /// @cond
 template <class P> [[nodiscard]] constexpr int warm_up_frames(P const&) {
     static_assert(
-        detail::PlainPipeline<P>,
-        "warm_up_frames(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() and resolve() give it "
-        "their member `pipeline`");
+        sizeof(P) == 0,
+        "warm_up_frames(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve and "
+        "presets::anti_aliased make");
     return 0;
 }
 /// @endcond

@@ -55,14 +55,14 @@ constexpr auto general_with(ForgetBiased<RunningMean> accumulated, auto filter, 
 /// History of general() and final_frame().
 inline constexpr ForgetBiased<RunningMean> general_history{.inner = {.cap = 24.f}, .gain = 100.f};
 
-/// History for joining the frames before with the frames after (run_two_sided): longer, since the errors of both sides partly cancel.
+/// History for joining the frames before with the frames after (TwoSided): longer, since the errors of both sides partly cancel.
 inline constexpr ForgetBiased<RunningMean> joined_history{.inner = {.cap = 48.f}, .gain = 30.f};
 
 /// The preset to start with, for hosts with colour and guides: BiasEstimate, a RunningMean whose biased history is forgotten, and
 /// ConservingAtrous.
 constexpr auto general(auto signal, auto... options) { return general_with(general_history, ConservingAtrous<>{}, signal, options...); }
 
-/// general() with joined_history: the second argument of run_two_sided().
+/// general() with joined_history: the second argument of TwoSided{}.
 constexpr auto general_joining(auto signal, auto... options) {
     return general_with(joined_history, ConservingAtrous<>{}, signal, options...);
 }
@@ -78,7 +78,7 @@ template <class S> constexpr auto final_frame(S signal, auto... options) {
         return Pipeline{signal, options...}; // which says that it must be one
 }
 
-/// final_frame() with joined_history: the second argument of run_two_sided().
+/// final_frame() with joined_history: the second argument of TwoSided{}.
 template <ChannelTag S> constexpr auto final_frame_joining(S signal, auto... options) {
     return general_with(joined_history, final_frame_filter<S>, signal, options...);
 }

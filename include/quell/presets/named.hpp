@@ -22,7 +22,7 @@ struct AllSignals {};
 /// @tparam Make   make(signal, options...) returns the pipeline; of AllSignals make(options...) returns the Composite. Presets of motion
 /// blur drop
 ///                options.
-/// @tparam Join   the same for the second argument of run_two_sided(); nullptr where the preset makes no use of later frames
+/// @tparam Join   the same for the second argument of TwoSided{}; nullptr where the preset makes no use of later frames
 template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPreset {
     using signal_type = Signal; ///< what it denoises
     std::string_view name;      ///< of lower-case words with hyphens; the function has underscores
@@ -35,12 +35,12 @@ template <class Signal, class Make, class Join = std::nullptr_t> struct NamedPre
 
     /// Whether it denoises this channel, by itself.
     template <ChannelTag S> static constexpr bool serves = std::is_same_v<Signal, AnySignal> || std::is_same_v<Signal, S>;
-    /// Whether the frames before and after can be joined by run_two_sided().
+    /// Whether the frames before and after can be joined by a TwoSided.
     static constexpr bool is_two_sided = !std::is_null_pointer_v<Join>;
 
     /// The pipeline for its own signal. Where that is any, it is for `radiance`, filtered without its albedo.
     static constexpr auto usual(auto... options) { return of_usual_signal(Make{}, options...); }
-    /// The second argument of run_two_sided() for usual().
+    /// The second argument of TwoSided{} for usual().
     static constexpr auto usual_joining(auto... options) { return of_usual_signal(Join{}, options...); }
 
 private:

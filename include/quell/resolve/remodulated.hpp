@@ -2,6 +2,7 @@
 
 #include <quell/frame/repair.hpp>
 #include <quell/pipeline/composite.hpp>
+#include <quell/pipeline/window.hpp>
 #include <quell/resolve/anti_alias.hpp>
 #include <quell/resolve/check_jitter.hpp>
 #include <quell/resolve/kept_frames.hpp>
@@ -133,11 +134,14 @@ private:
 
 namespace detail {
 struct RemodulatedRun {
+    static auto& of_pipeline(auto& history) { return history.pipeline; }
     /// Runs the pipeline, then multiplies its light by anti-aliased colours. Returns a view of the output; that is `target`, if it isn't
     /// NoTarget.
-    template <class P, int frames, class Set, class FrameStorage, class Storage, class E, class Target>
-    static auto all(Remodulated<P, frames> const& remodulated, Frame<Set, FrameStorage> const& frame,
-                    History<Remodulated<P, frames>, Storage>& history, E const& executor, Target const& target) {
+    /// @param given a frame, or a window
+    template <class P, int frames, class Given, class Storage, class E, class Target>
+    static auto all(Remodulated<P, frames> const& remodulated, Given& given, History<Remodulated<P, frames>, Storage>& history,
+                    E const& executor, Target const& target) {
+        auto const& frame = first_frame(given);
         check_frame<Remodulated<P, frames>>(frame);
         check_jitter(frame.camera.jitter, Remodulated<P, frames>::most_jitter);
         if (!(history.size == frame.size)) history.kept = {};
@@ -145,7 +149,7 @@ struct RemodulatedRun {
         history.kept.start(frame.number);
         auto& kept = history.kept.place();
         history.output = {}, kept = {}; // while the pipeline runs, they are its scratch
-        auto const picture = run(remodulated.pipeline, frame, history.pipeline, executor);
+        auto const picture = run(remodulated.pipeline, given, history.pipeline, executor);
 
         auto& pool = OpenHistory::pool(history.pipeline);
         kept.take(pool), kept.jitter = frame.camera.jitter;
@@ -170,6 +174,28 @@ struct RemodulatedRun {
         submit_queue(executor);
         history.kept.finish();
         return output;
+    }
+};
+} // namespace detail
+
+namespace detail {
+template <class P, int frames> struct RunOf<Remodulated<P, frames>> : RemodulatedRun {};
+template <class P, int frames> inline constexpr int kept_frames_of<Remodulated<P, frames>> = frames;
+template <class P, int frames> struct PassesOf<Remodulated<P, frames>> {
+    static void append(auto& passes, Remodulated<P, frames> const& remodulated, auto& history) {
+        PassesOf<P>::append(passes, remodulated.pipeline, RemodulatedRun::of_pipeline(history));
+        auto const picture = passes.back().denoises;
+        passes.push_back({.name = "prepare anti-aliasing",
+                          .denoises = picture,
+                          .reads = {Albedo::name, Depth::name, Motion::name},
+                          .writes = {"colours", Depth::name, Motion::name},
+                          .keeps = {"colours", Depth::name, Motion::name}});
+        passes.push_back({.name = "anti-alias",
+                          .denoises = picture,
+                          .farthest_tap = anywhere,
+                          .reads = {"output", "colours", Depth::name, Motion::name},
+                          .reads_past = {"colours", Depth::name, Motion::name},
+                          .writes = {"output"}});
     }
 };
 } // namespace detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/pipeline/composite.hpp>
+#include <quell/pipeline/window.hpp>
 #include <quell/resolve/check_jitter.hpp>
 #include <quell/resolve/kept_frames.hpp>
 #include <quell/resolve/resolve_passes.hpp>
@@ -124,14 +125,17 @@ private:
 namespace detail {
 struct ResolvedRun {
     /// Runs the pipeline, then the resolve. Returns a view of the output; that is `target`, if it isn't NoTarget.
-    template <class P, class Policy, class Set, class FrameStorage, class Storage, class E, class Target>
-    static auto all(Resolved<P, Policy> const& resolved, Frame<Set, FrameStorage> const& frame,
-                    History<Resolved<P, Policy>, Storage>& history, E const& executor, Target const& target) {
+    /// @param given a frame, or a window
+    template <class P, class Policy, class Given, class Storage, class E, class Target>
+    static auto all(Resolved<P, Policy> const& resolved, Given& given, History<Resolved<P, Policy>, Storage>& history, E const& executor,
+                    Target const& target) {
+        auto const& frame = first_frame(given);
         check_frame<Resolved<P, Policy>>(frame);
         before_picture(frame, history);
-        auto const picture = run(resolved.pipeline, frame, history.pipeline, executor);
+        auto const picture = run(resolved.pipeline, given, history.pipeline, executor);
         return of_picture(picture, resolved, frame, history, executor, target);
     }
+    static auto& of_pipeline(auto& history) { return history.pipeline; }
     /// Before the pipeline runs, whose errors begin the history anew.
     template <class P, class Policy, class Storage>
     static void before_picture(auto const& frame, History<Resolved<P, Policy>, Storage>& history) {
@@ -191,6 +195,31 @@ private:
         if (!kept || !(kept->colour.size() == frame.size)) kept.emplace(frame.size);
         kept->jitter = frame.camera.jitter;
         return *kept;
+    }
+};
+} // namespace detail
+
+namespace detail {
+template <class P, class Policy> struct RunOf<Resolved<P, Policy>> : ResolvedRun {};
+template <class P, class Policy> inline constexpr int kept_frames_of<Resolved<P, Policy>> = Policy::past_frames;
+template <class P, class Policy> struct PassesOf<Resolved<P, Policy>> {
+    static void append(auto& passes, Resolved<P, Policy> const& resolved, auto& history) {
+        PassesOf<P>::append(passes, resolved.pipeline, ResolvedRun::of_pipeline(history));
+        auto const picture = passes.back().denoises;
+        passes.push_back({.name = "prepare resolve",
+                          .denoises = picture,
+                          .farthest_tap = 1,
+                          .reads = {"output", Motion::name, Depth::name},
+                          .writes = {"picture", Motion::name, Depth::name, "ranges"},
+                          .keeps = {"picture", Motion::name, Depth::name}});
+        passes.push_back({.name = "resolve",
+                          .denoises = picture,
+                          .farthest_tap = anywhere,
+                          .reads = {"picture", Motion::name, Depth::name, "ranges"},
+                          .reads_past = {"picture", Motion::name, Depth::name},
+                          .writes = {"output"}});
+        if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(resolved.resolve.sharpening)>, NoSharpening>)
+            passes.push_back({.name = "sharpen", .denoises = picture, .farthest_tap = 1, .reads = {"output"}, .writes = {"output"}});
     }
 };
 } // namespace detail

@@ -1,6 +1,6 @@
-// error: record(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() and resolve() give it
-// error: plan_of(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() and resolve() give it
-// error: warm_up_frames(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of anti_aliased() and resolve() give it
+// error: record(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of a TwoSided, of anti_aliased() and resolve() give
+// it error: plan_of(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve and error:
+// warm_up_frames(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve and
 #include <quell/pipeline/plan.hpp>
 #include <quell/pipeline/warm_up.hpp>
 #include <quell/presets/anti_aliased.hpp>
@@ -11,8 +11,10 @@ using namespace quell;
 
 #ifdef CORRECT
 #define OF(behind) behind.pipeline
+#define PIPELINE accumulated
 #else
 #define OF(behind) behind
+#define PIPELINE std::get<0>(accumulated.stages)
 #endif
 
 constexpr Pipeline accumulated{radiance, Temporal{SurfaceMotion{}, RunningMean{}}};
@@ -21,6 +23,6 @@ constexpr auto upscaled = presets::resolve(accumulated);
 
 int main() {
     auto const recorded = record(OF(smooth)).passes.size() + record(OF(upscaled), "upscaled").passes.size();
-    auto const planned = plan_of(OF(smooth)).passes.size() + plan_of(OF(upscaled), Planar<>{}).passes.size();
-    return static_cast<int>(recorded + planned) + warm_up_frames(OF(smooth)) + warm_up_frames(OF(upscaled));
+    auto const planned = plan_of(PIPELINE).passes.size();
+    return static_cast<int>(recorded + planned) + warm_up_frames(PIPELINE);
 }

@@ -1,4 +1,4 @@
-// error: Chain{first, links...}: the first is a Pipeline, a Composite or a ByEvidence, each of the others a Pipeline{quell::denoised, ...}
+// error: Chain{first, links...}: the first is a Pipeline, a Composite, a ByEvidence or a TwoSided, each of the others a
 #include <quell/pipeline/chain.hpp>
 #include <quell/quell.hpp>
 

@@ -14,7 +14,7 @@
 // error: Frame{size, pipelines..., storage}: what follows the size must be pipelines, and a storage
 // error: History{size, pipeline, storage}: it takes an Extent{width, height}, a pipeline, and maybe a storage
 // error: Pipeline{channel, options..., stages...}: the channel of the signal comes first
-// error: run_two_sided(pipeline, window, history): `window` must be a range of frames with operator[]
+// error: run(denoiser, window, history): `window` must be a range of frames with operator[]
 // error: run(pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline
 // error: run_into(target, pipeline, frame, ...): the frame lacks a channel that the pipeline reads; construct the frame with this pipeline
 // error: run_into(target, pipeline, frame, ...): the target has another number of components than the pipeline's signal
@@ -91,14 +91,14 @@ void run_on_a_frame_that_lacks_channels(Frame<Channels<Radiance, Motion, Depth, 
     CALL(run_into(picture.view(), denoise, frame, history), run_into(grey.view(), denoise, frame, history));
 }
 void run_with_later_frames() {
-    constexpr auto general = presets::general(radiance, KnownSamples{});
-    std::vector<decltype(Frame{size, general, two_sided})> window{Frame{size, general, two_sided}};
-    TwoSidedHistory history{size, general};
-    CALL(run_two_sided(general, window, history), run_two_sided(general, window[0], history));
+    constexpr TwoSided general{presets::general(radiance, KnownSamples{})};
+    std::vector<decltype(Frame{size, general})> window{Frame{size, general}};
+    History history{size, general};
+    CALL(run(general, window, history), run(general, window[0], history));
 }
 void construct() {
     CALL((History{size, denoise}), History{size, denoise, Borrowed<>{}});
-    CALL((TwoSidedHistory{size, presets::general(radiance, KnownSamples{})}), TwoSidedHistory{size, presets::general(radiance)});
+    CALL((TwoSided{presets::general(radiance, KnownSamples{})}), TwoSided{presets::general(radiance)});
     CALL((Frame{size, denoise}), Frame{denoise, size});
     CALL((Frame{size, denoise}), Frame{8, 8, denoise});
     CALL((Frame{size, denoise, Planar<Float16>{}}), Frame{size, denoise, ReadOnly{}});

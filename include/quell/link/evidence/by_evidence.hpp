@@ -183,17 +183,21 @@ struct ByEvidenceRun {
 };
 template <class P, class Judge> struct PassesOf<ByEvidence<P, Judge>> {
     static void append(auto& passes, ByEvidence<P, Judge> const& all, auto& history) {
-        auto const group = [&](char const* name, auto const& part, auto& its_history) {
+        enum class Samples { as_before, copied };
+        auto const group = [&](char const* name, auto const& part, auto& its_history, Samples samples = Samples::as_before) {
             auto const before = passes.size();
+            if (samples == Samples::copied)
+                passes.push_back({.name = "hold samples out", .reads = {P::Output::name}, .writes = {P::Output::name}});
             PassesOf<std::remove_cvref_t<decltype(part)>>::append(passes, part, its_history);
             for (auto i = before; i < passes.size(); ++i) passes[i].denoises = name;
         };
-        group("the frame alone", all.pipeline, history.alone);
+        group("the frame alone", all.pipeline, history.alone, Samples::copied);
         if constexpr (!ByEvidence<P, Judge>::is_own_judge) group("judge: the frame alone", all.judge, history.judge);
         constexpr char const* names[] = {"judge, without even pixels: the frame alone", "judge, without even pixels: with its history",
                                          "judge, without odd pixels: the frame alone", "judge, without odd pixels: with its history"};
-        for (int i = 0; i < 2 * all.halves(); ++i) group(names[i], all.judge, history.judge);
-        group("with its history", all.pipeline, history.with);
+        for (int i = 0; i < 2 * all.halves(); ++i)
+            group(names[i], all.judge, history.judge, i % 2 == 0 ? Samples::copied : Samples::as_before);
+        group("with its history", all.pipeline, history.with, Samples::copied);
         group("choice", all.choice, history.choice);
     }
 };

@@ -33,18 +33,21 @@ struct Evidence {
     bool both_halves = true; ///< whether both halves of the checkerboard are held out: one takes two runs less, and knows less
 
     /// For frames of so many samples of each pixel, of which caution depends: 2 at 1 sample, 0 from 16 on. Files may tell of more samples
-    /// than were taken.
+    /// than were taken. From 2 samples on, one half of the checkerboard says enough.
     /// @param samples of each pixel; less than 1 counts as 1
-    [[nodiscard]] static constexpr Evidence of_samples(float samples) { return {.caution = max(2.f - 0.5f * octaves_of(samples), 0.f)}; }
+    [[nodiscard]] static constexpr Evidence of_samples(float samples) {
+        return {.caution = max(2.f - 0.5f * octaves_of(samples), 0.f), .both_halves = wants_both_halves(samples)};
+    }
     /// For a history that has seen later frames too, and deserves more trust: caution is 2 up to 32 samples, with a doubt that goes up to 1
-    /// at 16; from then on it falls, to 0.75 at 64 samples and 0 from 97 on.
+    /// at 16; from then on it falls, to 0.75 at 64 samples and 0 from 97 on. One half is enough as there.
     /// @param samples of each pixel; less than 1 counts as 1
     [[nodiscard]] static constexpr Evidence with_later_frames(float samples) {
         float const octaves = octaves_of(samples), beyond = max(octaves - 5.f, 0.f);
-        return {.caution = max(2.f - 1.25f * beyond, 0.f), .doubt = min(.25f * octaves, 1.f)};
+        return {.caution = max(2.f - 1.25f * beyond, 0.f), .doubt = min(.25f * octaves, 1.f), .both_halves = wants_both_halves(samples)};
     }
 
 private:
+    static constexpr bool wants_both_halves(float samples) { return samples < 2.f; }
     static constexpr float octaves_of(float samples) { return detail::logarithm(max(samples, 1.f)) * 1.44269504f; }
 };
 
