@@ -100,6 +100,42 @@ TEST_CASE("by evidence: what is sure beforehand is one of the two, whose history
     CHECK(tests::difference(with, alone) > .01);
 }
 
+TEST_CASE("by evidence: a judge of another type chooses as by hand, by what it makes of samples that are held out") {
+    // Its accumulated light is that of the pipeline, which its own history has too.
+    constexpr Pipeline judge{radiance, Temporal{SurfaceMotion{}, RunningMean{.cap = 32}}, Spatial{Atrous<>{.levels = 1}},
+                             Spatial{Atrous<>{.levels = 1}}};
+    constexpr Evidence rule{.at_first = .5f, .spread = .1f};
+    constexpr auto judged = presets::by_evidence(accumulate_light, judge, rule);
+    static_assert(!decltype(judged)::is_own_judge);
+    enum Half { even, odd, none };
+    /// What a pipeline makes of the last of so many frames, of which that half is held out.
+    auto const made = [](auto const& pipeline, unsigned first, Half half) {
+        Frame frame{size, pipeline};
+        History history{size, pipeline};
+        std::vector<float> out;
+        for (unsigned i = first; i < 4; ++i) {
+            fill_noisy(frame, i, i < 3 ? 1.f : 1.5f);
+            for (int y = 0; y < size.height && i == 3; ++y)
+                for (int x = 0; x < size.width; ++x)
+                    if ((x + y) % 2 == half) frame[radiance].set(x, y, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+            out = copy_of(run(pipeline, frame, history));
+        }
+        return out;
+    };
+    Frame estimates{size, judged.choice, judged};
+    fill_noisy(estimates, 3, 1.5f);
+    auto const give = [&](auto channel, std::vector<float> const& picture) {
+        for (std::size_t i = 0; i < picture.size(); ++i)
+            estimates[channel].view().set(int(i % 3), int(i / 3) % size.width, int(i / 3) / size.width, picture[i]);
+    };
+    give(FirstEstimate<3>{}, made(accumulate_light, 0, none)), give(SecondEstimate<3>{}, made(accumulate_light, 3, none));
+    give(FirstWithoutEven<3>{}, made(judge, 0, even)), give(FirstWithoutOdd<3>{}, made(judge, 0, odd));
+    give(SecondWithoutEven<3>{}, made(judge, 3, even)), give(SecondWithoutOdd<3>{}, made(judge, 3, odd));
+    give(SecondJudged<3>{}, made(judge, 3, none));
+    History history{size, judged.choice};
+    CHECK(tests::difference(copy_of(run(judged.choice, estimates, history)), made(judged, 0, none)) < 1e-5);
+}
+
 TEST_CASE("by evidence: any bits in, finite numbers out") {
     for (Extent const each : {Extent{1, 1}, Extent{2, 1}, Extent{1, 5}, Extent{19, 17}}) {
         CAPTURE(to_string(each));

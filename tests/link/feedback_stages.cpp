@@ -168,6 +168,7 @@ TEST_CASE("stages: parts of levels are fed back, none more than whole, by shares
                    product = static_cast<float>(p.in(BandProductsOfRows{}));
         p.set(TextureOfRows{}, {static_cast<float>(p.x % 5 - 2), static_cast<float>(p.x % 5 + 4)});
         p.set(BandProductsOfRows{}, {product + .05f * along, product + 1.1f, product * product * down});
+        if (p.x % 6 == 0) p.set(MeanSquare{}, {p.y < 11 ? 1e4f : 1e-4f}); // more noise, or less, than counts
     });
     pass.at(7, 5).set(FinestBand{}, {none, endless}), pass.at(8, 5).set(FinestBandOfOthers{}, {-endless});
     for (auto const& by : {first, later})
