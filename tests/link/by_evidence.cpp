@@ -87,6 +87,15 @@ TEST_CASE("by evidence: constant light stays as it is") {
     CHECK(history.statistics().frames == 1);
 }
 
+TEST_CASE("by evidence: after a gap in the numbers nothing is left of the frames before") {
+    Frame frame{size, denoise};
+    History history{size, denoise}, fresh{size, denoise};
+    for (unsigned i = 0; i < 4; ++i) fill_noisy(frame, i, 1.f), run(denoise, frame, history);
+    fill_noisy(frame, 9, 1.f);
+    CHECK(copy_of(run(denoise, frame, history)) == copy_of(run(denoise, frame, fresh)));
+    CHECK(history.statistics().frames == 1);
+}
+
 TEST_CASE("by evidence: what is sure beforehand is one of the two, whose history nothing has changed") {
     constexpr float sure = 1e-12f;
     auto const random_motion = [](auto const& pipeline) { return tests::sequence(pipeline, {37, 23}, Simd{}); };

@@ -56,6 +56,10 @@ struct ShowShutter {
         return splat<vec3<Real>>(Real(px.shutter_now()));
     }
 };
+/// The same, but it says that it looks at the camera.
+struct WantsCamera : ShowShutter {
+    static constexpr bool needs_camera = true;
+};
 
 constexpr Extent size{37, 19};
 constexpr auto first = Pipeline{radiance, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{Atrous{}}};
@@ -114,6 +118,15 @@ TEST_CASE("a link has the shutter of the frame") {
         frame.shutter = shutter;
         for (float const shown : tests::copy_of(run(show, frame, history))) CHECK(shown == shutter);
     }
+}
+
+TEST_CASE("a chain needs a camera where a link does") {
+    constexpr auto wants = Chain{presets::none(radiance), Pipeline{denoised, Spatial{WantsCamera{}}}};
+    CHECK(decltype(wants)::needs_camera);
+    CHECK(!decltype(chain)::needs_camera);
+    Frame frame{size, wants}; // whose camera was never set
+    History history{size, wants};
+    CHECK(tests::message([&] { run(wants, frame, history); }).find("camera.projection") != std::string::npos);
 }
 
 TEST_CASE("a link has a history of its own") {

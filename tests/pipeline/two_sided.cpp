@@ -117,6 +117,10 @@ TEST_CASE("a gap in the numbers or another size ends the window, and an empty on
         if (window.size() > 2) window[2] = OneFrame{Extent{8, 8}};
     };
     CHECK(made(3, 2, still, Simd{}, larger) == made(3, 1, still));
+    auto const next_is_smaller = [](auto& window) {
+        if (window.size() > 1) window[1] = OneFrame{Extent{8, 8}};
+    };
+    CHECK(made(3, 2, still, Simd{}, next_is_smaller) == made(3, 0, still));
     std::deque<OneFrame> none;
     History history{size, denoise};
     CHECK(tests::message([&] { run(denoise, none, history); }).find("no frames") != std::string::npos);
@@ -159,6 +163,11 @@ TEST_CASE("motion that is not finite towards the next frame, all-zero samples an
     CHECK(tests::all_finite(made(2, 2, still, Simd{}, spoil)));
     auto const dark = [](int, int, long long) { return 0.f; };
     for (float const a : made(2, 2, dark)) CHECK(a == 0.f);
+}
+
+TEST_CASE("what a host says of the variance of a single sample is not passed on") {
+    auto const says = [](auto& window) { tests::fill(window[0][sample_variance], [](int, int) { return 3.f; }); };
+    CHECK(made(0, 2, still, Simd{}, says) == made(0, 2, still));
 }
 
 TEST_CASE("frames in the host's memory give the same, and stay as they are") {

@@ -53,6 +53,22 @@ TEST_CASE("a Gaussian's mean is that of the pixels in the image, to three deviat
     }
 }
 
+TEST_CASE("a picture is as bright as its luminance, whatever its sign, and where it is not finite it is black") {
+    auto const image = random_planes(3, 1.f);
+    image.view().set(1, 20, 10, std::numeric_limits<float>::quiet_NaN());
+    Brightness const brightness(Simd{}, image.view());
+    auto const wanted = [&](int x, int y) {
+        double const light = glm::dot(at(image, x, y), Triple(.2126, .7152, .0722));
+        return std::isfinite(light) ? std::abs(light) : 0.;
+    };
+    double sum = 0.;
+    check([&](int x, int y) {
+        sum += wanted(x, y);
+        return std::abs(static_cast<double>(brightness.of_pixels.get(0, x, y)) - wanted(x, y));
+    });
+    CHECK(brightness.mean == doctest::Approx(sum / size.pixels()));
+}
+
 TEST_CASE("sums over windows are those of each pixel's square, and bright pixels take nothing off dark ones") {
     auto from = random_planes(3, 1.f), to = from;
     from.view().set(0, 20, 10, 1e12f);

@@ -189,6 +189,24 @@ TEST_CASE("anti-aliased: what one surface shows stays as it is, and a constant p
     }
 }
 
+TEST_CASE("anti-aliased: motion with jitter left in gives the picture of motion without") {
+    constexpr auto left_out = presets::anti_aliased<2>(pipeline);
+    constexpr auto left_in = presets::anti_aliased<2>(
+        presets::none(radiance, Demodulate{}, Supplied<MotionConvention{.jitter = MotionConvention::Jitter::left_in}>{}));
+    Frame frame{size, left_out}, jittered{size, left_in};
+    History history{size, left_out};
+    History of_jittered{size, left_in};
+    Edge const edge{.speed = {.7f, .2f}};
+    glm::vec2 then{0.f};
+    for (int i = 0; i < 5; ++i) {
+        glm::vec2 const now = jitter_of(i);
+        fill(frame, edge, i, now), fill(jittered, edge, i, now);
+        tests::fill(jittered[motion], [&](int x, int y) { return glm::vec2(frame[motion].get(x, y)) + now - then; });
+        then = now;
+        CHECK(tests::difference(copy_of(run(left_in, jittered, of_jittered)), copy_of(run(left_out, frame, history))) < 1e-4);
+    }
+}
+
 TEST_CASE("anti-aliased: what comes into sight takes the current frame") {
     // A thing goes away at once, and what it hid has another colour.
     Frame frame{size, denoise};
