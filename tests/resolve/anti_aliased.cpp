@@ -143,6 +143,34 @@ TEST_CASE("frames count up to the first of another size, and after this one as f
     CHECK(made(here.view(), {}, {next.view(), of_another_size(after_next)}) == one_after);
 }
 
+TEST_CASE("what goes elsewhere by more than 0.4 pixels and a part of the way says nothing, in any direction") {
+    Scene const scene{.texture = .5f};
+    for (float const way : {0.f, 4.f})
+        for (auto const& towards : {glm::vec2(1.f, 0.f), glm::vec2(0.f, -1.f), glm::vec2(-.6f, .8f)}) {
+            INFO(way, ", ", towards.x);
+            TestFrame here(scene, 0), before(scene, 0);
+            auto const says = [&](float off) {
+                for (int y = 0; y < size.height; ++y)
+                    for (int x = 0; x < size.width; ++x) {
+                        here.to_previous.view().set(0, x, y, way), here.to_previous.view().set(1, x, y, 0.f);
+                        before.to_next.view().set(0, x, y, off * towards.x - way), before.to_next.view().set(1, x, y, off * towards.y);
+                        for (int c = 0; c < 3; ++c) before.colour.view().set(c, x, y, .9f);
+                    }
+                auto const made = [&](std::vector<ColouredFrame<>> const& frames) {
+                    ImageOf<Planar<>, Albedo> to(size);
+                    anti_alias({}, Simd{}, here.view(), frames, {}, here.light.view(), to.view());
+                    std::vector<float> row;
+                    for (int x = 0; x < size.width; ++x) row.push_back(to.view().get(1, x, 4));
+                    return row;
+                };
+                return made({before.view()}) != made({});
+            };
+            float const most = std::sqrt(.16f + .0025f * way * way);
+            CHECK(says(.99f * most));
+            CHECK(!says(1.01f * most));
+        }
+}
+
 TEST_CASE("each surface has the Gaussian mean of its samples in all frames, and of the pixel what it covers of all of them") {
     // Walls of random colours behind each other, seen at random places of their pixels by a camera that moves.
     constexpr glm::vec2 motion{.3f, -.2f};
