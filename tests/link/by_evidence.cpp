@@ -173,8 +173,8 @@ TEST_CASE("by evidence: the executor does not change what comes out") {
         auto const packs = tests::sequence(denoise, each, Simd{});
         CHECK(tests::difference(packs, tests::sequence(denoise, each, Serial{})) < 2e-5);
 #if defined(QUELL_TEST_THREADS)
-        CHECK(packs == tests::sequence(denoise, each, Threads{.count = 1}));
-        CHECK(packs == tests::sequence(denoise, each, Threads{.count = 3, .tile = {16, 5}}));
+        CHECK(packs == tests::sequence(denoise, each, Threads<>{.count = 1}));
+        CHECK(packs == tests::sequence(denoise, each, Threads<>{.count = 3, .tile = {16, 5}}));
 #endif
     }
 }
