@@ -22,7 +22,7 @@ struct SequenceSettings {
     std::optional<float> field_of_view{};   ///< vertical, degrees: of files whose depth is the length of rays, where they have no camera
     int later_frames = 0;              ///< that each frame is denoised with, where the preset makes use of them and the files are there
     bool keeps_alpha = false;          ///< leave alpha as the files have it
-    std::vector<std::string> stages{}; ///< names of denoise_stages()
+    std::vector<std::string> stages{}; ///< names that is_stage() knows
     bool accounts = false;             ///< gather what each stage changed: see StageAccount
     bool diagnose = false;             ///< look at each frame for what its renderer got wrong
     std::optional<Upsampling> upsampling{}; ///< of the picture and its alpha, which are then all that a frame has; empty: none
