@@ -245,7 +245,7 @@ mutant "frames from after: one of another size ends them" pipeline/two_sided pip
 mutant "frames from after: the variance of a single sample" pipeline/two_sided pipeline/two_sided.hpp 'select(n > Real(1.f), over_time, Real(0.f))' 'over_time'
 mutant "chain: a link's camera" pipeline/chain pipeline/chain.hpp 'First::needs_camera || (Links::needs_camera || ...)' 'First::needs_camera'
 mutant "evidence: a gap in the numbers" link/by_evidence pipeline/stand_ins.hpp 'seen.number = frame.number' 'seen.number = seen.number'
-mutant "evidence: what a judge of another type makes of all samples" link/by_evidence link/evidence/by_evidence.hpp ': judged);' ': second);'
+mutant "evidence: what another judge makes of all samples" link/by_evidence link/evidence/by_evidence.hpp ': judged);' ': second);'
 mutant "residual: noise counts up to a share" link/feedback_stages link/residual/residual_feedback.hpp 'Real(-2.f), Real(1.5f))' 'Real(-2.f), Real(9.f))'
 mutant "colours: what goes elsewhere" resolve/anti_aliased resolve/anti_alias_pass.hpp '0.16f' '1.6f'
 mutant "colours: the jitter of the frame before" resolve/remodulated resolve/remodulated.hpp '(past.empty() ? kept : past[0]).jitter' 'kept.jitter'

@@ -2,25 +2,11 @@
 
 #include <quell/link/evidence/choose_by_evidence.hpp>
 #include <quell/link/evidence/held_out.hpp>
+#include <quell/link/evidence/judge.hpp>
 #include <quell/pipeline/run.hpp>
 #include <quell/pipeline/stand_ins.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
-
-namespace detail {
-/// Whether it is a pipeline with a history, and no composite.
-template <class P> inline constexpr bool has_one_history = false;
-template <ChannelTag S, class... Parts> inline constexpr bool has_one_history<Pipeline<S, Parts...>> = Pipeline<S, Parts...>::has_temporal;
-/// Whether a judge can go on from where a pipeline is.
-template <class P, class Judge> constexpr bool can_judge() {
-    if constexpr (has_one_history<P> && has_one_history<Judge>)
-        return std::is_same_v<typename P::Output, typename Judge::Output> && std::is_same_v<typename P::Form, typename Judge::Form> &&
-               contained_in<typename Judge::keeps, typename P::keeps> &&
-               contained_in<typename StoredChannels<typename Judge::remembers>::type, typename StoredChannels<typename P::remembers>::type>;
-    else
-        return false;
-}
-} // namespace detail
 
 /// A pipeline with its history and without, put together by what samples speak for that neither has used (Evidence). Where light changes
 /// faster than a history can follow, the frame alone has the say; else the history has.
@@ -33,35 +19,43 @@ template <class P, class Judge> constexpr bool can_judge() {
 /// Each frame is denoised once with its past and once by itself. A judge does both without the even pixels' samples, and without the odd
 /// ones', and once more by itself with all samples, which the pipeline has done already where it is its own judge.
 /// @tparam P     a Pipeline with a Temporal
-/// @tparam Judge a Pipeline of the same signal that keeps and remembers nothing else: the same one, or one that takes less time, as
-///               general is for final_frame
-template <class P, class Judge = P> struct ByEvidence {
+/// @tparam Judge OwnJudge, or a Pipeline of the same signal that keeps and remembers nothing else: one that takes less time, as general
+///               is for final_frame, or the same one with other numbers
+template <class P, class Judge = OwnJudge> struct ByEvidence {
+    static constexpr bool is_own_judge = std::is_same_v<Judge, OwnJudge>; ///< whether it was given no other, of whatever numbers
+    using JudgePipeline = std::conditional_t<is_own_judge, P, Judge>;     ///< what samples are held out from
     static_assert(detail::has_one_history<P>, "ByEvidence{pipeline, judge, rule}: the first must be a Pipeline with a Temporal{...}, which "
                                               "alone has a history to choose");
-    static_assert(!detail::has_one_history<P> || detail::can_judge<P, Judge>(),
+    static_assert(!detail::has_one_history<P> || detail::can_judge<P, JudgePipeline>(),
                   "ByEvidence{pipeline, judge, rule}: the judge goes on from the pipeline's history: it must be a Pipeline of the same "
                   "signal and modulation that keeps and remembers no channel beside the pipeline's");
-    using Output = typename P::Output;                                           ///< the channel of the picture
-    using reads = decltype(typename P::reads{} | typename Judge::reads{});       ///< channels that the host must supply
-    static constexpr MotionConvention motion_convention = P::motion_convention;  ///< what the host's motion vectors mean: see Supplied
-    static constexpr bool needs_camera = P::needs_camera || Judge::needs_camera; ///< whether frame.camera must be set
-    static constexpr bool is_own_judge = std::is_same_v<P, Judge>;               ///< whether both are of one type
+    using Output = typename P::Output;                                             ///< the channel of the picture
+    using reads = decltype(typename P::reads{} | typename JudgePipeline::reads{}); ///< channels that the host must supply
+    static constexpr MotionConvention motion_convention = P::motion_convention;    ///< what the host's motion vectors mean: see Supplied
+    static constexpr bool needs_camera = P::needs_camera || JudgePipeline::needs_camera; ///< whether frame.camera must be set
     /// @cond
     using Choice = Pipeline<FirstEstimate<Output::components>, Spatial<ChooseByEvidence<Output>>>;
     /// @endcond
 
     P pipeline;    ///< what is put together
-    Judge judge;   ///< what samples are held out from; where it has the pipeline's type, it is the pipeline
+    Judge judge;   ///< what samples are held out from, if it isn't the pipeline
     Choice choice; ///< how
 
     /// @param p the pipeline
     /// @param r how samples are judged
-    constexpr explicit ByEvidence(P const& p, Evidence const& r = {}) requires is_own_judge : ByEvidence(p, p, r) {}
+    constexpr explicit ByEvidence(P const& p, Evidence const& r = {}) requires is_own_judge : ByEvidence(p, OwnJudge{}, r) {}
     /// @param p the pipeline
     /// @param j the judge
     /// @param r how samples are judged
     constexpr ByEvidence(P const& p, Judge const& j, Evidence const& r = {})
         : pipeline(p), judge(j), choice(FirstEstimate<Output::components>{}, Spatial{ChooseByEvidence<Output>{r}}) {}
+    /// What samples are held out from: the pipeline, or the other judge.
+    [[nodiscard]] constexpr JudgePipeline const& judging() const {
+        if constexpr (is_own_judge)
+            return pipeline;
+        else
+            return judge;
+    }
     /// Of the checkerboard: how many are held out.
     [[nodiscard]] constexpr int halves() const { return std::get<0>(choice.stages).kernel.rule.both_halves ? 2 : 1; }
 };
@@ -106,7 +100,7 @@ private:
 
     std::shared_ptr<detail::ImagePool> pool; ///< of all histories
     History<P, Storage> with, alone;
-    History<Judge, Storage> judge;
+    History<typename All::JudgePipeline, Storage> judge;
     History<typename All::Choice, Storage> choice;
     detail::KnownPast past;
 
@@ -152,12 +146,12 @@ struct ByEvidenceRun {
         hold_out(none_held_out);
         auto const second = made_by(by_evidence.pipeline, history.alone);
         auto judged = second;
-        if constexpr (!ByEvidence<P, Judge>::is_own_judge) judged = made_by(by_evidence.judge, history.judge);
+        if constexpr (!ByEvidence<P, Judge>::is_own_judge) judged = made_by(by_evidence.judging(), history.judge);
         PooledImage first_without[2], second_without[2];
         for (int half = 0; half < by_evidence.halves(); ++half) {
             hold_out(half);
-            second_without[half] = made_by(by_evidence.judge, history.judge);
-            first_without[half] = made_by(by_evidence.judge, history.judge, &past);
+            second_without[half] = made_by(by_evidence.judging(), history.judge);
+            first_without[half] = made_by(by_evidence.judging(), history.judge, &past);
         }
         if (by_evidence.halves() == 1) first_without[1] = first_without[0], second_without[1] = second_without[0];
         past.drop();
@@ -192,11 +186,11 @@ template <class P, class Judge> struct PassesOf<ByEvidence<P, Judge>> {
             for (auto i = before; i < passes.size(); ++i) passes[i].denoises = name;
         };
         group("the frame alone", all.pipeline, history.alone, Samples::copied);
-        if constexpr (!ByEvidence<P, Judge>::is_own_judge) group("judge: the frame alone", all.judge, history.judge);
+        if constexpr (!ByEvidence<P, Judge>::is_own_judge) group("judge: the frame alone", all.judging(), history.judge);
         constexpr char const* names[] = {"judge, without even pixels: the frame alone", "judge, without even pixels: with its history",
                                          "judge, without odd pixels: the frame alone", "judge, without odd pixels: with its history"};
         for (int i = 0; i < 2 * all.halves(); ++i)
-            group(names[i], all.judge, history.judge, i % 2 == 0 ? Samples::copied : Samples::as_before);
+            group(names[i], all.judging(), history.judge, i % 2 == 0 ? Samples::copied : Samples::as_before);
         group("with its history", all.pipeline, history.with, Samples::copied);
         group("choice", all.choice, history.choice);
     }
