@@ -1,10 +1,10 @@
+#include "../failing.hpp"
 #include "../frames.hpp"
 #include "../threads.hpp"
 
 #include <quell/presets/anti_aliased.hpp>
 
 #include <limits>
-#include <new>
 
 using namespace quell;
 using tests::copy_of;
@@ -52,20 +52,6 @@ template <class F> void fill(F& frame, Edge const& edge, int number, glm::vec2 j
     tests::fill(frame[motion], [&](int x, int y) { return is_thing(x, y) ? -edge.speed : glm::vec2(0.f); });
     frame.camera.jitter = jitter;
 }
-
-/// A storage whose memory runs out after `left` images; -1: never.
-struct Failing {
-    using Exact = Failing;
-    inline static int left = -1;
-    template <int N> struct Image : Interleaved<>::Image<N> {
-        explicit Image(Extent image_size) : Interleaved<>::Image<N>(checked(image_size)) {}
-        static Extent checked(Extent image_size) {
-            if (left == 0) throw std::bad_alloc{};
-            if (left > 0) --left;
-            return image_size;
-        }
-    };
-};
 
 /// The error of the last of some frames, and of the picture that came in.
 struct Errors {
@@ -275,18 +261,18 @@ TEST_CASE("anti-aliased: where memory runs out at another size, the next frame s
     // Allocations fail one after another, until all of a frame's succeed.
     for (int fails_at = 0; fails_at < 64; ++fails_at) {
         CAPTURE(fails_at);
-        History history{size, denoise, Failing{}}, fresh{size, denoise, Failing{}};
+        History history{size, denoise, tests::Failing{}}, fresh{size, denoise, tests::Failing{}};
         Frame frame{size, denoise}, smaller{small, denoise};
         fill(frame, {}, 0, jitter_of(0)), fill(smaller, {}, 1, jitter_of(1));
         run(denoise, frame, history, Serial{});
-        Failing::left = fails_at;
+        tests::Failing::left = fails_at;
         bool ran_out = false;
         try {
             run(denoise, smaller, history, Serial{});
         } catch (std::bad_alloc const&) {
             ran_out = true;
         }
-        Failing::left = -1;
+        tests::Failing::left = -1;
         fill(frame, {}, 2, jitter_of(2));
         CHECK(copy_of(run(denoise, frame, history, Serial{})) == copy_of(run(denoise, frame, fresh, Serial{})));
         if (!ran_out) {

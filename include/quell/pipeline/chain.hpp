@@ -3,6 +3,7 @@
 #include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/run.hpp>
 #include <quell/pipeline/stand_ins.hpp>
+#include <quell/pipeline/unfinished.hpp>
 #include <quell/pipeline/window.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -98,8 +99,11 @@ struct ChainRun {
         auto const& frame = first_frame(given);
         // Checked before any denoiser runs: an error must leave all histories at the same frame.
         check_frame<Chain<First, Links...>>(frame);
+        Unfinished unfinished(history);
         auto const made = run(chain.first, given, history.first, executor);
-        return through<0>(made, chain.links, frame, history, executor, into);
+        auto const output = through<0>(made, chain.links, frame, history, executor, into);
+        unfinished.finish();
+        return output;
     }
 
 private:

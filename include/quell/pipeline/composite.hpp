@@ -3,6 +3,7 @@
 #include <quell/core/light.hpp>
 #include <quell/pipeline/ingest.hpp>
 #include <quell/pipeline/run.hpp>
+#include <quell/pipeline/unfinished.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -167,9 +168,11 @@ struct CompositeRun {
     static auto all(Composite<Ps...> const& composite, F const& frame, History<Composite<Ps...>, Storage>& history, E const& executor) {
         // Checked before any pipeline runs: an error must leave all histories at the same frame.
         check_frame<Composite<Ps...>>(frame);
+        Unfinished unfinished(history);
         follow_size(frame, history);
         auto const output = history.picture.view();
         into(output, composite, frame, history, executor);
+        unfinished.finish();
         return output;
     }
     /// @param frame checked
@@ -225,8 +228,10 @@ void run_into(Target const& target, Composite<Ps...> const& composite, Frame<Set
     static_assert(Target::components == 3, "run_into(target, composite, frame, ...): the target must have three components");
     detail::check_target(target.size, frame.size);
     detail::check_frame<Composite<Ps...>>(frame);
+    detail::Unfinished unfinished(history);
     detail::CompositeRun::follow_size(frame, history);
     detail::CompositeRun::into(target, composite, frame, history, executor);
+    unfinished.finish();
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

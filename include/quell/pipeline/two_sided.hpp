@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/blend/variance_over_time.hpp>
+#include <quell/pipeline/unfinished.hpp>
 #include <quell/pipeline/window.hpp>
 
 #include <optional>
@@ -170,6 +171,7 @@ template <class P> struct RunOf<TwoSided<P>> {
         constexpr int whole = StageOrder<P>::count;
         if (last == 0) return run_stages<whole>(denoiser.pipeline, frame, history.before, executor, into);
 
+        Unfinished unfinished(history);
         auto const accumulated = accumulate(denoiser.pipeline, frame, history.before, executor);
         history.after.forget();
         for (auto i = last; i > 0; --i) {
@@ -186,7 +188,9 @@ template <class P> struct RunOf<TwoSided<P>> {
         submit_queue(executor);
         Exchanged const backwards(frame[motion], frame[motion_next]);
         CountedBackwards const number(frame);
-        return run_stages<whole>(denoiser.joining, frame, history.after, executor, into);
+        auto const output = run_stages<whole>(denoiser.joining, frame, history.after, executor, into);
+        unfinished.finish();
+        return output;
     }
 };
 } // namespace detail

@@ -2,6 +2,7 @@
 
 #include <quell/frame/repair.hpp>
 #include <quell/pipeline/composite.hpp>
+#include <quell/pipeline/unfinished.hpp>
 #include <quell/pipeline/window.hpp>
 #include <quell/resolve/anti_alias.hpp>
 #include <quell/resolve/check_jitter.hpp>
@@ -149,6 +150,7 @@ struct RemodulatedRun {
         history.kept.start(frame.number);
         auto& kept = history.kept.place();
         history.output = {}, kept = {}; // while the pipeline runs, they are its scratch
+        Unfinished unfinished(history);
         auto const picture = run(remodulated.pipeline, given, history.pipeline, executor);
 
         auto& pool = OpenHistory::pool(history.pipeline);
@@ -173,6 +175,7 @@ struct RemodulatedRun {
                                    LightOfPicture{picture, now.colour}, output);
         submit_queue(executor);
         history.kept.finish();
+        unfinished.finish();
         return output;
     }
 };

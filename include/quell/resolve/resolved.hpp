@@ -1,6 +1,7 @@
 #pragma once
 
 #include <quell/pipeline/composite.hpp>
+#include <quell/pipeline/unfinished.hpp>
 #include <quell/pipeline/window.hpp>
 #include <quell/resolve/check_jitter.hpp>
 #include <quell/resolve/kept_frames.hpp>
@@ -132,8 +133,11 @@ struct ResolvedRun {
         auto const& frame = first_frame(given);
         check_frame<Resolved<P, Policy>>(frame);
         before_picture(frame, history);
+        Unfinished unfinished(history);
         auto const picture = run(resolved.pipeline, given, history.pipeline, executor);
-        return of_picture(picture, resolved, frame, history, executor, target);
+        auto const output = of_picture(picture, resolved, frame, history, executor, target);
+        unfinished.finish();
+        return output;
     }
     static auto& of_pipeline(auto& history) { return history.pipeline; }
     /// Before the pipeline runs, whose errors begin the history anew.

@@ -5,6 +5,7 @@
 #include <quell/link/evidence/judge.hpp>
 #include <quell/pipeline/run.hpp>
 #include <quell/pipeline/stand_ins.hpp>
+#include <quell/pipeline/unfinished.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
@@ -115,10 +116,10 @@ struct ByEvidenceRun {
     static auto all(ByEvidence<P, Judge> const& by_evidence, Frame<Set, FrameStorage> const& frame,
                     History<ByEvidence<P, Judge>, Storage>& history, E const& executor, Into const& into) {
         check_frame<ByEvidence<P, Judge>>(frame);
+        Unfinished unfinished(history);
         using Output = typename P::Output;
         constexpr int n = Output::components;
-        auto& choice = OpenHistory::images(history.choice);
-        choice.output = {};
+        OpenHistory::images(history.choice).output = {};
         if (!(history.pool->size() == frame.size)) OpenHistory::images(history.with).restart(frame.size);
         auto& past = history.past;
         OpenHistory::images(history.with).tell(past);
@@ -172,7 +173,9 @@ struct ByEvidenceRun {
                                                                                           : judged);
         });
         constexpr auto stages = StageOrder<typename ByEvidence<P, Judge>::Choice>::count;
-        return run_stages<stages>(by_evidence.choice, estimates, history.choice, executor, into);
+        auto const output = run_stages<stages>(by_evidence.choice, estimates, history.choice, executor, into);
+        unfinished.finish();
+        return output;
     }
 };
 template <class P, class Judge> struct PassesOf<ByEvidence<P, Judge>> {
