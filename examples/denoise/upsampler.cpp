@@ -20,7 +20,6 @@ constexpr auto colour = quell::presets::resolve(quell::presets::none(radiance));
 constexpr auto opacity = quell::presets::resolve(quell::presets::none(visibility)); // of one component, as alpha is
 
 constexpr auto jitter_attribute = "quell:jitter";
-constexpr float most_jitter = decltype(colour.resolve)::most_jitter;
 
 /// Jitter of the first frames that can be read, as far as they say it.
 std::vector<std::optional<glm::vec2>> first_jitters(FramePattern const& in, std::vector<long long> const& frames) {
@@ -41,7 +40,7 @@ std::vector<std::optional<glm::vec2>> first_jitters(FramePattern const& in, std:
 }
 
 void check_jitter(io::ExrImage const& image, glm::vec2 jitter) {
-    auto const is_in_range = [](float a) { return is_finite(a) && std::abs(a) <= most_jitter; };
+    auto const is_in_range = [](float a) { return is_finite(a) && std::abs(a) <= quell::detail::most_jitter; };
     if (is_in_range(jitter.x) && is_in_range(jitter.y)) return;
     throw Error(image.name, std::string("its ") + jitter_attribute + " is " + std::to_string(jitter.x) + ", " + std::to_string(jitter.y),
                 "write the samples' offset from the pixels' centres in pixels, or leave out --upsample");

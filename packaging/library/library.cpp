@@ -225,13 +225,14 @@ std::string take_size(quell_denoiser const& denoiser, Frame& to, quell_frame con
 /// A sentence where there is no camera, and must be, or where its jitter can't be.
 std::string check_camera(quell_denoiser const& denoiser, quell_camera const* camera) {
     if (camera == nullptr) {
-        if (denoiser.resolves) return "frame.camera: null; 'resolve' needs its jitter, which may be 0";
+        if (auto const& stage = denoiser.way->needs_jitter; !stage.empty())
+            return "frame.camera: null; '" + stage + "' needs its jitter, which may be 0";
         if (denoiser.way->needs_camera) return "frame.camera: null; '" + denoiser.preset->name + "' needs the camera";
         return denoiser.motion.has_jitter != 0 ? "frame.camera: null; settings.motion.has_jitter needs its jitter" : "";
     }
     constexpr float most = 8;
     auto const [x, y] = camera->jitter;
-    if (!denoiser.resolves || (std::abs(x) <= most && std::abs(y) <= most)) return {};
+    if (denoiser.way->needs_jitter.empty() || (std::abs(x) <= most && std::abs(y) <= most)) return {};
     return "frame.camera: a jitter of " + std::to_string(x) + ", " + std::to_string(y) +
            "; give the samples' offset from the pixels' centres, in pixels of the frame: at most 8";
 }

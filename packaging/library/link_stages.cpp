@@ -62,7 +62,7 @@ template <class Named> Stage link_stage(Named const& named) {
     using Link = std::remove_const_t<decltype(MadeStage<Named>{}())>;
     static_assert(Link::reads::template has<quell::Denoised> && Link::Output::components == 3,
                   "a stage behind presets is a Pipeline{denoised, ...}: it reads what a preset makes, three components of each pixel");
-    Stage stage{.name = std::string(named.name)};
+    Stage stage{.name = std::string(named.name), .needs_jitter = Link::checks_jitter};
     stage.refusal = [](Way const& way) -> std::string {
         if (way.signal.empty() || way.output_components != 3) return "makes no single colour with its history, or makes alpha too";
         for (auto const& channel : way_of<OneSided<Link>, Link>().channels)

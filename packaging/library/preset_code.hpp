@@ -106,6 +106,7 @@ struct PresetWay {
     std::vector<Channel> guides{}; ///< that it accumulates
     int output_components = 0;
     bool needs_camera = false;
+    std::string needs_jitter{}; ///< the stage that needs the camera's jitter, in a range; empty: none
     std::function<std::string()> plan{};
     /// Null, and what is wrong, where it can't be made.
     /// @param samples of each pixel
@@ -131,6 +132,6 @@ struct Codes {
 using CodesOf = Codes const*();
 
 // Names of stages that change what a denoiser reads, how it is called, or what stands behind them.
-inline constexpr auto two_sided_stage = "two-sided", resolve_stage = "resolve", evidence_stage = "evidence";
+inline constexpr auto two_sided_stage = "two-sided", resolve_stage = "resolve", evidence_stage = "evidence", colours_stage = "colours";
 
 } // namespace quell_library

@@ -118,6 +118,10 @@ std::shared_ptr<PresetWay const> with_stages(CompiledPreset const& preset, std::
     if (!way && alpha) return refuse("settings.alpha", "has none; leave it 0, or take general or final-frame");
     if (!way) return refuse("settings.stages", "makes no use of frames to come; leave 'two-sided' out, or take general or final-frame");
     auto const& judge = way_of(judge_of(preset), two_sided, alpha);
+    if (is_wanted(resolve_stage) && is_wanted(colours_stage))
+        return refuse("settings.stages",
+                      "has anti-aliased colours at the pixels' centres with 'colours', and 'resolve' is of pictures whose "
+                      "samples lie elsewhere; leave one of the two out");
     std::vector<Stage const*> wanted;
     auto plan = way.plan();
     for (auto const& stage : stages()) {
@@ -132,7 +136,10 @@ std::shared_ptr<PresetWay const> with_stages(CompiledPreset const& preset, std::
     }
     bool const resolves = is_wanted(resolve_stage);
     auto channels = std::make_shared<std::vector<ReadChannel> const>(resolves ? channels_of_resolved(way) : way.channels);
-    PresetWay code{.output_components = way.output_components, .needs_camera = way.needs_camera || resolves};
+    auto const jittered = std::ranges::find_if(wanted, &Stage::needs_jitter);
+    PresetWay code{.output_components = way.output_components,
+                   .needs_camera = way.needs_camera || jittered != wanted.end(),
+                   .needs_jitter = jittered != wanted.end() ? (*jittered)->name : ""};
     for (auto const& channel : *channels) code.channels.push_back({channel.name, channel.components, channel.optional, channel.is_guide});
     for (auto const& guide : way.guides) code.guides.push_back({guide.name, guide.components});
     code.plan = [plan] { return plan; };

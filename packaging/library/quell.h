@@ -95,7 +95,7 @@ typedef struct quell_samples {
 typedef struct quell_camera {
     float view[16];
     float projection[16]; /* without jitter */
-    float jitter[2];      /* offset of the samples from the pixels' centres, in pixels, y down; at most 8 with the stage resolve */
+    float jitter[2];      /* offset of the samples from the pixels' centres, in pixels, y down; at most 8 with the stages resolve and colours */
 } quell_camera;
 
 /* One frame. Start from QUELL_FRAME. */

@@ -75,7 +75,7 @@ public:
     Denoiser& set_camera(quell_camera const& camera) { return seen_by = camera, has_camera = true, *this; }
 
     /// Where the samples of the next frame and those that follow lie, from the pixels' centres: in pixels, y down. For a denoiser with
-    /// the stage resolve whose preset needs no camera; else it is of the camera.
+    /// the stage resolve or colours whose preset needs no camera; else it is of the camera.
     Denoiser& set_jitter(float x, float y) { return seen_by.jitter[0] = x, seen_by.jitter[1] = y, has_camera = true, *this; }
 
     /// Denoises a frame. @throws DenoiserError

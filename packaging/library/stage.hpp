@@ -22,6 +22,7 @@ struct Stage {
     /// What keeps it from a preset, as the end of a sentence that begins with the preset's name; empty where it can be put around it.
     std::function<std::string(Way const&)> refusal{};
     bool takes_one_frame = false; ///< not with the frames after each
+    bool needs_jitter = false;    ///< the camera's must be known, and in a range
     /// The plan of all that there is with it.
     /// @param inner the plan of what it is put around
     std::function<std::string(std::string const& inner, Way const& way, Way const& judge)> plan{};

@@ -27,6 +27,7 @@ Stage resolve() {
     return {
         .name = resolve_stage,
         .refusal = [](Way const& way) { return can_resolve(way) ? "" : "makes no picture"; },
+        .needs_jitter = true,
         .plan = [](std::string const& inner, Way const& way, Way const&) { return inner + plan_of_resolved(way); },
         .put = [](Compiled denoiser,
                   StagePlace const& at) { return make_resolved(std::move(denoiser), at.way, at.size, at.output, at.parallel, at.memory); }};

@@ -121,5 +121,5 @@ TEST_CASE("a plan lists what is run, whatever stands behind what") {
     check_plan(Chain{from_both_sides, give_back});
     check_plan(presets::resolve(chosen));
     check_plan(presets::resolve(plain, Resolve{GaussianKernel{}, MeanDeviation{}, YCoCg{}, Sharpen{}}));
-    check_plan(presets::anti_aliased<4>(Chain{from_both_sides, give_back}));
+    check_plan(presets::anti_aliased(Chain{from_both_sides, give_back}));
 }

@@ -9,6 +9,7 @@ template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
 #include "two_sizes.hpp"
 
 #include <quell/link/light_given_back.hpp>
+#include <quell/presets/anti_aliased.hpp>
 #include <quell/presets/blur.hpp>
 #include <quell/presets/by_evidence.hpp>
 #include <quell/shader/interpreter.hpp>
@@ -151,6 +152,9 @@ TEST_CASE("a recorded chain, whose link has a history too, has the bits of Seria
     check_sizes(Chain{tests::own_policies, Pipeline{denoised, tests::accumulate, Spatial{tests::EveryFunction{}}}});
 }
 TEST_CASE("a recorded link that gives light back has the bits of Serial") { check_sizes(light_given_back(radiance, 4.f)); }
+TEST_CASE("recorded anti-aliased colours have the bits of Serial") {
+    check_sizes(presets::anti_aliased(presets::none(radiance, Demodulate{})));
+}
 TEST_CASE("a recorded choice between history and the frame alone has the bits of Serial") {
     check_sizes(presets::by_evidence(Pipeline{radiance, tests::accumulate, Spatial{Atrous<>{.levels = 1}}}));
 }

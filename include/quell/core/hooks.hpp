@@ -75,6 +75,8 @@ template <class P> struct Hooks {
     QUELL_HOOK(
         needs_camera, requires { requires is_constant<decltype(&P::needs_camera), bool>; });
     QUELL_HOOK(
+        checks_jitter, requires { requires is_constant<decltype(&P::checks_jitter), bool>; });
+    QUELL_HOOK(
         reads_past_signal, requires { requires is_constant<decltype(&P::reads_past_signal), bool>; });
     QUELL_HOOK(
         leaves_signal, requires { requires is_constant<decltype(&P::leaves_signal), bool>; });
@@ -108,6 +110,8 @@ template <class P> constexpr bool check_hooks() {
     static_assert(Right::Signal, "`Signal` of a policy must be `using Signal = ` a channel; any other member needs another name");
     static_assert(Right::name, "`name` of a policy must be `static constexpr auto name = \"text\"`; any other member needs another name");
     static_assert(Right::needs_camera, "`needs_camera` of a policy must be a `static constexpr bool`; any other member needs another name");
+    static_assert(Right::checks_jitter,
+                  "`checks_jitter` of a policy must be a `static constexpr bool`; any other member needs another name");
     static_assert(Right::reads_past_signal,
                   "`reads_past_signal` of a policy must be a `static constexpr bool`; any other member needs another name");
     static_assert(Right::leaves_signal,

@@ -37,6 +37,14 @@ template <class P> constexpr bool needs_camera();
 template <class... Ps> constexpr bool any_needs_camera(Parts<Ps...>) { return (needs_camera<Ps>() || ...); }
 template <class P> constexpr bool needs_camera() { return own_needs_camera<P> || any_needs_camera(typename PartsOf<P>::type{}); }
 
+template <class P> inline constexpr bool own_checks_jitter = false;
+template <class P>
+    requires is_constant<decltype(&P::checks_jitter), bool>
+inline constexpr bool own_checks_jitter<P> = P::checks_jitter;
+template <class P> constexpr bool checks_jitter();
+template <class... Ps> constexpr bool any_checks_jitter(Parts<Ps...>) { return (checks_jitter<Ps>() || ...); }
+template <class P> constexpr bool checks_jitter() { return own_checks_jitter<P> || any_checks_jitter(typename PartsOf<P>::type{}); }
+
 /// Whether a pass says that it looks at the signal of the last frame. Temporal does so unsaid.
 template <class Pass> inline constexpr bool says_reads_past_signal = false;
 template <class Pass>
@@ -137,6 +145,10 @@ template <class... Ps> using emits_of = union_of<typename detail::Declared<detai
 
 /// Whether a policy or a part of it has `static constexpr bool needs_camera = true`. Hosts must then set frame.camera.
 template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<P>();
+
+/// Whether a policy or a part of it has `static constexpr bool checks_jitter = true`: it makes no sense of a frame.camera.jitter that is not
+/// finite or of more than 8 pixels, which is then an error.
+template <class P> inline constexpr bool checks_jitter_of = detail::checks_jitter<P>();
 
 /// The divisor of the frame's width and height at which a pass runs: its `static constexpr int fraction`, or 1.
 template <class P> inline constexpr int fraction_of = 1;

@@ -41,6 +41,7 @@ template <class First, class... Links> struct Chain {
     static_assert(((!Links::reads::template has<Motion> || Links::motion_convention == motion_convention) && ...),
                   "Chain{first, links...}: one frame has vectors of one convention: give each pipeline the same Supplied<>");
     static constexpr bool needs_camera = First::needs_camera || (Links::needs_camera || ...); ///< whether frame.camera must be set
+    static constexpr bool checks_jitter = (Links::checks_jitter || ...); ///< whether frame.camera.jitter must be in range
 
     First first;                ///< the denoiser
     std::tuple<Links...> links; ///< what stands behind, in order
@@ -49,6 +50,14 @@ template <class First, class... Links> struct Chain {
     /// @param l what stands behind it
     constexpr explicit Chain(First const& f, Links const&... l) : first(f), links(l...) {}
 };
+
+namespace detail {
+/// A denoiser and one more link behind it.
+template <class D, class Link> constexpr auto with_link(D const& denoiser, Link const& link) { return Chain{denoiser, link}; }
+template <class First, class... Links, class Link> constexpr auto with_link(Chain<First, Links...> const& chain, Link const& link) {
+    return std::apply([&](auto const&... links) { return Chain{chain.first, links..., link}; }, chain.links);
+}
+} // namespace detail
 
 /// The histories of all denoisers of a Chain. They share their memory.
 template <class First, class... Links, ImageStorage Storage> class History<Chain<First, Links...>, Storage> {

@@ -10,7 +10,6 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 template <class... Ps> struct Composite;
 template <class First, class... Links> struct Chain;
 template <class P, class Policy> struct Resolved;
-template <class P, int frames> struct Remodulated;
 template <class P, class Judge> struct ByEvidence;
 template <class P> struct TwoSided;
 template <class P, ImageStorage Storage> class History;
@@ -60,7 +59,6 @@ template <class... Parts> std::true_type a_pipeline(Pipeline<Parts...> const*);
 template <class... Ps> std::true_type a_pipeline(Composite<Ps...> const*);
 template <class... Ps> std::true_type a_pipeline(Chain<Ps...> const*);
 template <class P, class Policy> std::true_type a_pipeline(Resolved<P, Policy> const*);
-template <class P, int frames> std::true_type a_pipeline(Remodulated<P, frames> const*);
 template <class P, class Judge> std::true_type a_pipeline(ByEvidence<P, Judge> const*);
 template <class P> std::true_type a_pipeline(TwoSided<P> const*);
 std::false_type a_pipeline(void const*);
@@ -72,7 +70,6 @@ template <class P> std::true_type takes_window(TwoSided<P> const*);
 template <class First, class... Links>
 auto takes_window(Chain<First, Links...> const*) -> decltype(takes_window(static_cast<First const*>(nullptr)));
 template <class P, class Policy> auto takes_window(Resolved<P, Policy> const*) -> decltype(takes_window(static_cast<P const*>(nullptr)));
-template <class P, int frames> auto takes_window(Remodulated<P, frames> const*) -> decltype(takes_window(static_cast<P const*>(nullptr)));
 std::false_type takes_window(void const*);
 std::false_type has_stages(void const*);
 template <class P, class Storage> std::true_type a_history(History<P, Storage> const*);

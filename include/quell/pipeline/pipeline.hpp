@@ -116,6 +116,7 @@ template <ChannelTag S, class... Elements> struct Pipeline {
     /// Whether frames depend on the one before.
     static constexpr bool has_past = has_temporal || keeps::size > 0 || remembers::size > 0;
     static constexpr bool needs_camera = (needs_camera_of<Elements> || ...); ///< whether frame.camera must be set
+    static constexpr bool checks_jitter = (checks_jitter_of<Elements> || ...); ///< whether frame.camera.jitter must be in range
 
     /// The first pass.
     detail::Ingest<S, Form, Suppression, common_to<without<detail::CheckedGuides, Channels<S>>, reads>> ingest;

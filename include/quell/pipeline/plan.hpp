@@ -114,7 +114,7 @@ concept Planned = requires {
 
 /// The plan of a denoiser: the passes in order, what each reads and writes, and the memory. No pixel is computed. Of a TwoSided it is that
 /// of a window of two frames.
-/// @param pipeline a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, a Resolved or a Remodulated
+/// @param pipeline a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain or a Resolved
 /// @param storage  of the history
 template <detail::Planned P, ImageStorage Storage = Planar<>> Plan plan_of(P const& pipeline, Storage const& storage = {}) {
     // Large enough that padding hardly counts.
@@ -136,8 +136,7 @@ template <detail::Planned P, ImageStorage Storage = Planar<>> Plan plan_of(P con
 /// @cond
 template <class P, class... Storage> Plan plan_of(P const&, Storage const&...) {
     static_assert(detail::Planned<P>,
-                  "plan_of(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve and "
-                  "presets::anti_aliased make");
+                  "plan_of(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve makes");
     return {};
 }
 /// @endcond

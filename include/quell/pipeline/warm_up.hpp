@@ -40,16 +40,11 @@ template <class P> [[nodiscard]] constexpr int warm_up_frames(TwoSided<P> const&
 template <class P, class Policy> [[nodiscard]] constexpr int warm_up_frames(Resolved<P, Policy> const& resolved) {
     return warm_up_frames(resolved.pipeline) + Policy::past_frames;
 }
-/// And the frames that are kept.
-template <class P, int frames> [[nodiscard]] constexpr int warm_up_frames(Remodulated<P, frames> const& remodulated) {
-    return warm_up_frames(remodulated.pipeline) + frames;
-}
 /// @cond
 template <class P> [[nodiscard]] constexpr int warm_up_frames(P const&) {
     static_assert(
         sizeof(P) == 0,
-        "warm_up_frames(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve and "
-        "presets::anti_aliased make");
+        "warm_up_frames(pipeline): it takes a Pipeline, a Composite, a ByEvidence, a TwoSided, a Chain, or what presets::resolve makes");
     return 0;
 }
 /// @endcond

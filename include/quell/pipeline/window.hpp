@@ -32,7 +32,7 @@ template <class D> struct RunOf;
 /// Denoises the first frame of a window by a TwoSided, or by what stands behind one, as run() does a frame. The window ends where frame
 /// numbers do not follow each other or the size changes; it may be a single frame. The frames are changed during the call and restored;
 /// images of the host's that they borrow are not written.
-/// @param denoiser a TwoSided, or a Chain, Resolved or Remodulated of one
+/// @param denoiser a TwoSided, or a Chain or Resolved of one
 /// @param window   range of frames with operator[], such as std::deque<Frame<...>>
 /// @param history  state between calls, which each move one frame on
 /// @param executor what runs the passes

@@ -1,16 +1,21 @@
 #pragma once
 
-#include <quell/resolve/remodulated.hpp>
+#include <quell/link/colours/anti_aliased.hpp>
 
 /// Opt-in: not in quell.hpp.
 namespace quell::inline QUELL_INSTRUCTION_SET::presets {
 
-/// Colours anti-aliased by those of the last frames, behind a preset: `presets::anti_aliased(presets::general(radiance, Demodulate{}))`.
-/// @tparam frames  how many frames of the past are kept, 0 to 4
-/// @param pipeline a Pipeline or Composite
+/// A denoiser whose picture is put together with anti-aliased colours: its light is what the albedo leaves of the picture, and is
+/// multiplied by albedos of this frame and of the one before it (AntiAliased). Edges between surfaces become as mixed as their pixels are
+/// covered, those before the sky and of emitters too, whose albedo is 1:
+///
+///     constexpr auto denoise = presets::anti_aliased(presets::general(radiance, Demodulate{})); // a Chain
+///
+/// Samples of other places come by motion, or by frame.camera.jitter, which is at most 8 pixels.
+/// @param denoiser a Chain, or what may stand first in one
 /// @param policy   AntiAliased{...}; that of one sample per pixel, where there is none
-template <int frames = 1, class P> constexpr auto anti_aliased(P const& pipeline, AntiAliased const& policy = AntiAliased::of_samples(1)) {
-    return Remodulated<P, frames>{pipeline, policy};
+template <class D> constexpr auto anti_aliased(D const& denoiser, AntiAliased const& policy = AntiAliased::of_samples(1)) {
+    return detail::with_link(denoiser, Pipeline{denoised, Supplied<D::motion_convention>{}, Spatial{policy}});
 }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::presets

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/link/colours/anti_aliased.hpp>
 #include <quell/link/light_given_back.hpp>
 
 #include <string_view>
@@ -15,8 +16,8 @@ struct StandsBehind {
 };
 
 /// A stage behind presets, with its name.
-/// @tparam Make make(StandsBehind) returns a pipeline that reads `denoised`, which is what the preset makes, and `radiance`, which are its
-/// samples
+/// @tparam Make make(StandsBehind) returns a pipeline that reads `denoised`, which is what the preset makes; in it, `radiance` are the
+/// preset's samples
 template <class Make> struct NamedStage {
     std::string_view name; ///< of lower-case words with hyphens
     Make make;             ///< makes the pipeline; without state
@@ -27,6 +28,10 @@ template <class M> NamedStage(std::string_view, M) -> NamedStage<M>;
 /// it.
 inline constexpr std::tuple named_stages{
     NamedStage{"light", [](StandsBehind of) { return light_given_back(radiance, of.samples, of.is_judged); }},
+    NamedStage{"colours",
+               [](StandsBehind of) {
+                   return Pipeline{denoised, Spatial{AntiAliased::of_samples(static_cast<int>(of.samples))}};
+               }},
 };
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <quell/resolve/anti_aliased.hpp>
+#include <quell/frame/channels.hpp>
+#include <quell/image/planar.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 

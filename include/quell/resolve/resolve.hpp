@@ -52,7 +52,6 @@ struct Resolve {
                   "Resolve{kernel, range, axes, sharpening}: `axes` must have from(value) and to(value), such as YCoCg{}");
     static_assert(frames >= 1 && frames <= 15, "Resolve<..., frames>: it keeps 1 to 15 frames");
     static constexpr int past_frames = frames; ///< that are kept
-    static constexpr float most_jitter = 8.f;  ///< how far samples may lie from their pixels' centres, in pixels of the frame
 
     Kernel kernel{};                               ///< how a sample's distance weighs
     Range range = detail::range_of_resolve<Range>; ///< what the past is clamped to

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <quell/link/colours/anti_aliased.hpp>
 #include <quell/pipeline/composite.hpp>
 #include <quell/pipeline/unfinished.hpp>
 #include <quell/pipeline/window.hpp>
-#include <quell/resolve/check_jitter.hpp>
 #include <quell/resolve/kept_frames.hpp>
 #include <quell/resolve/resolve_passes.hpp>
 #include <quell/resolve/sharpening.hpp>
@@ -15,9 +15,11 @@
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
-/// Whether a pipeline's picture has no jitter left: anti-aliased colours are of the pixels' centres.
-template <class P> inline constexpr bool is_remodulated = false;
-template <class P, int frames> inline constexpr bool is_remodulated<Remodulated<P, frames>> = true;
+/// Whether a picture has no jitter left: anti-aliased colours are of the pixels' centres.
+template <class P> inline constexpr bool has_centred_colours = false;
+template <class First, class... Links>
+inline constexpr bool has_centred_colours<Chain<First, Links...>> =
+    has_centred_colours<First> || (Links::keeps::template has<SeenColour> || ...);
 } // namespace detail
 
 /// A pipeline, or a Composite, whose output is then anti-aliased over time, at the frame's size or a larger one:
@@ -34,7 +36,7 @@ template <class P, int frames> inline constexpr bool is_remodulated<Remodulated<
 /// @tparam Policy Resolve<...>
 template <class P, class Policy = Resolve<>> struct Resolved {
     static_assert(detail::is_pipeline<P>, "Resolved{pipeline, resolve}: the first must be a Pipeline or a Composite");
-    static_assert(!detail::is_remodulated<P>, "Resolved{pipeline, resolve}: colours of that pipeline are anti-aliased already; take one of "
+    static_assert(!detail::has_centred_colours<P>, "Resolved{pipeline, resolve}: colours of that pipeline are anti-aliased already; take one of "
                                               "presets::resolve and presets::anti_aliased");
     using Output = typename P::Output;                                          ///< the channel of the picture
     using reads = decltype(typename P::reads{} | Channels<Motion, Depth>{});    ///< channels that the host must supply
@@ -143,7 +145,7 @@ struct ResolvedRun {
     /// Before the pipeline runs, whose errors begin the history anew.
     template <class P, class Policy, class Storage>
     static void before_picture(auto const& frame, History<Resolved<P, Policy>, Storage>& history) {
-        check_jitter(frame.camera.jitter, Policy::most_jitter);
+        check_jitter(frame.camera.jitter);
         history.frames.start(frame.number);
     }
     /// Resolves what the pipeline, or somebody else, has made of a frame.

@@ -109,8 +109,8 @@ ShaderPlan record(P const& pipeline, std::string_view name = "pipeline", RecordO
 /// @cond
 template <class P> ShaderPlan record(P const&, std::string_view = {}, RecordOptions const& = {}) {
     static_assert(detail::PlainPipeline<P>,
-                  "record(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of a TwoSided, of anti_aliased() and "
-                  "resolve() give it their member `pipeline`");
+                  "record(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of a TwoSided and of resolve() give it their "
+                  "member `pipeline`");
     return {};
 }
 /// @endcond

@@ -246,6 +246,7 @@ template <class P> std::string signal_of() {
 template <class E, class Make> DeviceCode cuda_code(std::string const& name, Make) {
     using P = std::remove_const_t<decltype(Make{}(1.f))>;
     PresetWay way{.output_components = P::Output::components, .needs_camera = P::needs_camera};
+    if constexpr (requires { requires P::checks_jitter; }) way.needs_jitter = name;
     quell::for_each_channel(typename P::reads{}, [&]<class C>(C c) {
         static_assert(C::fraction == 1, "libquell: a channel of a part of the frame's size can't be taken on a device");
         way.channels.push_back({std::string(c.name), c.components, false, c.is_guide});

@@ -75,6 +75,7 @@ inline std::shared_ptr<PresetWay const> with_stages(DeviceCode const& preset, st
             if (found == way.channels.end() && name != "denoised") return refuse("reads no " + name);
             places.push_back(static_cast<std::size_t>(found - way.channels.begin()));
         }
+        if (auto const& jittered = stage.way.needs_jitter; !jittered.empty()) way.needs_jitter = jittered, way.needs_camera = true;
         way.plan = [before = way.plan, &stage] { return before() + "\nBehind it, " + stage.name + ":\n\n" + stage.way.plan(); };
         way.make = [before = way.make, &stage, places](Sizes const& sizes, float samples, Motion const& motion, Parallel const& parallel,
                                                        Memory const& memory, Outcome& outcome,

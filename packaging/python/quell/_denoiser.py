@@ -119,6 +119,7 @@ class Denoiser:
         self._size = (height, width)
         self._output_size = self._size if output_size is None else output
         self._resolves = "resolve" in stages or self._output_size != self._size
+        self._takes_jitter = self._resolves or "colours" in stages
 
     def __call__(
         self,
@@ -139,7 +140,7 @@ class Denoiser:
         Channels are given by name: radiance=..., albedo=..., or as a dict, which may also have "camera", "jitter", "number", "shutter" and
         "samples". A dict may hold more channels than the preset reads.
 
-        camera: where needs_camera. jitter: (x, y) of a denoiser with the stage resolve, where there is no camera that says it: where the frame's
+        camera: where needs_camera. jitter: (x, y) of a denoiser with the stage resolve or colours, where there is no camera that says it: where the frame's
         samples lie, from the pixels' centres, in pixels, y down. number: of the frame; where numbers do not follow each other, history
         starts afresh. shutter: the time that it is open as a part of the frame time, for motion blur; 0.5 if it is not said. samples: by
         name, of the channels that have fewer samples than the frame has pixels: {"radiance": Samples(2, 2)}; guides must have all. later:
@@ -249,7 +250,7 @@ class Denoiser:
             return _packed(f"{prefix}camera", camera)
         if camera is not None:
             raise Error(f"{prefix}jitter: there is a camera too; let quell.Camera say the jitter, or leave the camera out")
-        if not self._resolves:
+        if not self._takes_jitter:
             raise Error(f"{prefix}jitter: this denoiser makes no use of it; make it by Denoiser(..., stages=['resolve']), or leave it out")
         return np.concatenate([np.zeros(32, np.float32), _numbers(f"{prefix}jitter", jitter, (2,))])
 

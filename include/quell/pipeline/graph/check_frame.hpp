@@ -48,7 +48,17 @@ template <class View> void check_samples(std::string_view name, View const& view
         "give it " + to_string(View::samples.stored(view.size)) + ", or an image of the frame's size, whose other pixels are not read");
 }
 
-/// @throws Error that names the channel, matrix or shutter at fault
+/// How far samples may lie from their pixels' centres, in pixels, where somebody looks.
+inline constexpr float most_jitter = 8.f;
+/// @throws Error for a jitter beyond that, or one that is not finite
+inline void check_jitter(glm::vec2 jitter) {
+    auto const is_in_range = [](float a) { return is_finite(a) && a >= -most_jitter && a <= most_jitter; };
+    if (!is_in_range(jitter.x) || !is_in_range(jitter.y))
+        raise_error<Failure>("run: frame.camera.jitter", std::to_string(jitter.x) + ", " + std::to_string(jitter.y),
+                             "give the samples' offset from the pixels' centres, in pixels of the frame");
+}
+
+/// @throws Error that names the channel, matrix, jitter or shutter at fault
 template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage> const& frame) {
     for_each_channel(typename P::reads{}, [&](auto c) {
         auto const view = frame[c].view();
@@ -69,6 +79,7 @@ template <class P, class Set, class Storage> void check_frame(Frame<Set, Storage
     if (!(is_finite(frame.shutter) && frame.shutter >= 0.f))
         raise_error("frame.shutter", std::to_string(frame.shutter),
                     "give the fraction of the frame time during which the shutter is open: finite, 0 or more");
+    if constexpr (requires { requires P::checks_jitter; }) check_jitter(frame.camera.jitter);
     if constexpr (P::needs_camera) {
         if (!usable(frame.camera.view))
             raise_error("camera.view", "a singular or non-finite matrix", "set frame.camera to the host's camera");
