@@ -244,6 +244,7 @@ mutant "frames from after are accumulated anew" pipeline/two_sided pipeline/two_
 mutant "frames from after: one of another size ends them" pipeline/two_sided pipeline/two_sided.hpp 'window[i].size == frame.size' 'frame.size == frame.size'
 mutant "frames from after: the variance of a single sample" pipeline/two_sided pipeline/two_sided.hpp 'select(n > Real(1.f), over_time, Real(0.f))' 'over_time'
 mutant "chain: a link's camera" pipeline/chain pipeline/chain.hpp 'First::needs_camera || (Links::needs_camera || ...)' 'First::needs_camera'
+mutant "unfinished: a frame that an error ends is forgotten" link/out_of_memory pipeline/unfinished.hpp 'if (history) history->forget();' ''
 mutant "evidence: a gap in the numbers" link/by_evidence pipeline/stand_ins.hpp 'seen.number = frame.number' 'seen.number = seen.number'
 mutant "evidence: what another judge makes of all samples" link/by_evidence link/evidence/by_evidence.hpp ': judged);' ': second);'
 mutant "residual: noise counts up to a share" link/feedback_stages link/residual/residual_feedback.hpp 'Real(-2.f), Real(1.5f))' 'Real(-2.f), Real(9.f))'

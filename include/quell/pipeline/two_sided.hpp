@@ -149,7 +149,8 @@ template <class... Views> CopyAccumulated(Views...) -> CopyAccumulated<Views...>
 
 template <class P> struct PassesOf<TwoSided<P>> {
     static void append(auto& passes, TwoSided<P> const& denoiser, auto& history) {
-        for ([[maybe_unused]] auto const* const side : {"before", "after"}) PassesOf<P>::append(passes, denoiser.pipeline, history.before);
+        PassesOf<P>::append(passes, denoiser.pipeline, history.before);
+        PassesOf<P>::append(passes, denoiser.pipeline, history.before); // the frames after run the same passes
         passes.push_back({.name = "accumulated",
                           .denoises = P::Output::name,
                           .reads = {"signal", HistoryLength::name, LuminanceVariance::name},
