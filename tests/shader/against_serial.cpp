@@ -92,7 +92,7 @@ template <class P, class Storage> int differing(P const& pipeline, ShaderPlan co
     History history{size, pipeline, storage};
     PlanInterpreter interpreter(plan, size);
     int count = 0;
-    for (unsigned number = 0; number < 3; ++number) {
+    for (unsigned number = 0; number < 5; ++number) {
         fill(frame, number);
         count += differing_in_frame(pipeline, plan, frame, history, interpreter, number);
     }
@@ -152,6 +152,7 @@ TEST_CASE("a recorded chain, whose link has a history too, has the bits of Seria
     check_sizes(Chain{tests::own_policies, Pipeline{denoised, tests::accumulate, Spatial{tests::EveryFunction{}}}});
 }
 TEST_CASE("a recorded link that gives light back has the bits of Serial") { check_sizes(light_given_back(radiance, 4.f)); }
+TEST_CASE("a recorded policy that looks at several frames of the past has the bits of Serial") { check_sizes(tests::look_back); }
 TEST_CASE("recorded anti-aliased colours have the bits of Serial") {
     check_sizes(presets::anti_aliased(presets::none(radiance, Demodulate{})));
 }

@@ -36,4 +36,29 @@ struct EveryFunction {
 inline constexpr Pipeline own_policies{radiance, Spatial{Atrous{Product{DepthEdge{}, NormalEdge{}, RoughnessEdge{}}, 2}},
                                        Spatial{EveryFunction{}}};
 
+/// Keeps each frame's light, and adds to it that of the last frame, of the one before and of the fourth before, by powers of ten.
+struct SeenLight : ExactChannel<3> {
+    static constexpr auto name = "seen_light";
+};
+struct KeepLight {
+    using keeps = Channels<SeenLight>;
+    static constexpr int farthest_tap = 0;
+    QUELL_KERNEL auto emit_channels(auto px) const { return emitted<typename decltype(px)::Real>(SeenLight{}, px.signal()); }
+};
+struct AddLightBefore {
+    using reads_kept = Channels<SeenLight, Earlier<SeenLight, 1>, Earlier<SeenLight, 3>>;
+    static constexpr int farthest_tap = 0;
+    QUELL_KERNEL auto filter(auto px) const {
+        using Real = typename decltype(px)::Real;
+        auto sum = px.signal();
+        if (!px.has_past()) return sum;
+        PixelCoordinates<Real> const here(px.columns(), px.row_of_lanes());
+        auto const then = px.past(here);
+        sum = add_scaled(sum, then[SeenLight{}], Real(10.f));
+        sum = add_scaled(sum, then[Earlier<SeenLight, 1>{}], Real(100.f));
+        return add_scaled(sum, then[Earlier<SeenLight, 3>{}], Real(1000.f));
+    }
+};
+inline constexpr Pipeline look_back{radiance, Spatial{KeepLight{}}, Spatial{AddLightBefore{}}};
+
 } // namespace quell::tests

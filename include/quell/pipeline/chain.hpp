@@ -6,6 +6,8 @@
 #include <quell/pipeline/unfinished.hpp>
 #include <quell/pipeline/window.hpp>
 
+#include <algorithm>
+
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
 /// What the denoiser before has made, in a pipeline that stands behind it in a Chain.
@@ -137,6 +139,8 @@ private:
 } // namespace detail
 
 namespace detail {
+template <class First, class... Links>
+inline constexpr int kept_frames_of<Chain<First, Links...>> = std::max({kept_frames_of<First>, kept_frames_of<Links>...});
 template <class First, class... Links> struct RunOf<Chain<First, Links...>> : ChainRun {};
 } // namespace detail
 

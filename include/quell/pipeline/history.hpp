@@ -22,6 +22,8 @@ struct ChainRun;
 template <class P> struct PassesOf;
 /// How many frames before the last one it keeps as they were.
 template <class P> inline constexpr int kept_frames_of = 0;
+template <ChannelTag S, class... Parts>
+inline constexpr int kept_frames_of<Pipeline<S, Parts...>> = most_frames_earlier(typename Pipeline<S, Parts...>::carries{});
 /// Access to what a history holds.
 struct OpenHistory {
     template <class H> static auto& images(H& history) { return history.images; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <quell/frame/earlier.hpp>
 #include <quell/pipeline/ingest.hpp>
 #include <quell/pipeline/stage.hpp>
 
@@ -102,7 +103,8 @@ template <ChannelTag S, class... Elements> struct Pipeline {
         "Pipeline{channel, options..., stages...}: a stage reads what none of them makes: history_length wants RunningMean or Adaptive, "
         "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
         "ShadowSplat, cones WithCones, blur's channels its guides");
-    static_assert(contained_in<reads_kept_of<Elements...>, keeps>, "Pipeline{channel, options..., stages...}: a stage looks at what no "
+    using carries = decltype(detail::carried(reads_kept_of<Elements...>{})); ///< of channels that it keeps, what they were in frames before
+    static_assert(contained_in<decltype(detail::kept_as(reads_kept_of<Elements...>{})), keeps>, "Pipeline{channel, options..., stages...}: a stage looks at what no "
                                                                    "blend policy keeps: a BiasEstimate wants WithVariance{ForgetBiased{"
                                                                    "RunningMean{}}}");
     static_assert(

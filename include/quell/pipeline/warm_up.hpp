@@ -24,7 +24,7 @@ template <ChannelTag S, class... Parts> [[nodiscard]] constexpr int warm_up_fram
         },
         pipeline.stages);
     auto const whole = static_cast<int>(frames);
-    return whole + (static_cast<float>(whole) < frames ? 1 : 0);
+    return whole + (static_cast<float>(whole) < frames ? 1 : 0) + detail::kept_frames_of<Pipeline<S, Parts...>>;
 }
 /// The longest of its parts.
 template <class... Ps> [[nodiscard]] constexpr int warm_up_frames(Composite<Ps...> const& composite) {

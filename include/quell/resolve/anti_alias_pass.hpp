@@ -3,7 +3,7 @@
 #include <quell/execute/queue_executor.hpp>
 #include <quell/resolve/around_frame.hpp>
 #include <quell/resolve/coloured_frame.hpp>
-#include <quell/resolve/light_of_picture.hpp>
+#include <quell/resolve/pixel_in_image.hpp>
 
 #include <array>
 #include <type_traits>
@@ -39,8 +39,8 @@ template <class Storage, class Light, class Target, class Others = NoOthers> str
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         constexpr bool tells_others = !std::is_same_v<Others, NoOthers>;
-        AntiAliasedPixel<AntiAliased, Seen<Real>, tells_others> const pixel(policy, {*this, x, y});
-        auto const made = pixel.made();
+        Seen<Real> const seen{*this, x, y};
+        auto const made = AntiAliasedPixel<AntiAliased, Seen<Real>, tells_others>(policy, seen).made();
         if constexpr (tells_others) store_pixels<Real>(others, x, y, made.told, count);
         store_pixels<Real>(to, x, y, made.value, count);
     }
@@ -53,19 +53,13 @@ private:
         AntiAliasJob const& job;
         int x, y;
 
-        struct Tap {
+        struct Tap : PixelInImage<Real> {
             AntiAliasJob const& job;
-            int x, y;
-            QUELL_KERNEL auto inside() const {
-                auto const columns = Real(static_cast<float>(x)) + lanes<Real>();
-                return both(columns >= Real(0.f), columns < Real(static_cast<float>(job.here.depth.size.width)));
-            }
-            [[nodiscard]] QUELL_KERNEL bool any_row_inside() const { return y >= 0 && y < job.here.depth.size.height; }
-            QUELL_KERNEL Real depth() const { return load_beside<Real>(job.here.depth, x, y); }
-            QUELL_KERNEL vec3<Real> colour() const { return load_beside<Real>(job.here.colour, x, y); }
-            QUELL_KERNEL vec2<Real> motion() const { return load_beside<Real>(job.here.motion, x, y); }
-            QUELL_KERNEL vec2<Real> to_next() const { return load_beside<Real>(job.here.to_next, x, y); }
-            QUELL_KERNEL vec3<Real> light() const { return load_beside<Real>(job.light, x, y); }
+            QUELL_KERNEL Real depth() const { return this->load(job.here.depth); }
+            QUELL_KERNEL vec3<Real> colour() const { return this->load(job.here.colour); }
+            QUELL_KERNEL vec2<Real> motion() const { return this->load(job.here.motion); }
+            QUELL_KERNEL vec2<Real> to_next() const { return this->load(job.here.to_next); }
+            QUELL_KERNEL vec3<Real> light() const { return this->load(job.light); }
         };
         struct Around {
             AroundFrame<Storage> const& of;
@@ -86,7 +80,7 @@ private:
         QUELL_KERNEL vec2<Real> position() const {
             return {Real(static_cast<float>(x) + 0.5f) + lanes<Real>(), Real(static_cast<float>(y) + 0.5f)};
         }
-        QUELL_KERNEL Tap at(int dx, int dy) const { return {job, x + dx, y + dy}; }
+        QUELL_KERNEL Tap at(int dx, int dy) const { return {{size(), x + dx, y + dy}, job}; }
         [[nodiscard]] QUELL_KERNEL float own_weight(int dx, int dy) const {
             return job.own_weights[static_cast<std::size_t>(dy * 3 + dx + 4)];
         }

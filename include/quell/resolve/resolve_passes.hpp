@@ -1,12 +1,12 @@
 #pragma once
 
-#include <quell/resolve/resolve.hpp>
-#include <quell/resolve/spline_interpolation.hpp>
+#include <quell/link/resolve/resolve.hpp>
+#include <quell/resolve/pixel_in_image.hpp>
 
 #include <array>
 #include <cstddef>
 
-/// The two passes of a Resolve, and what they read and write.
+/// The passes of a Resolve whose frames may be of another size than its output, and what they read and write.
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// What a Resolve keeps of a frame, as views.
@@ -21,15 +21,14 @@ template <class Colour, class Vectors, class Depths>
 ResolvedFrame(Colour, Vectors, Depths, Extent, glm::vec2) -> ResolvedFrame<Colour, Vectors, Depths>;
 
 /// Ranges around each pixel of this frame, as views.
-template <class Colour, class Depths> struct RangesAround {
+template <class Colour, class Depths> struct RangeImages {
     Colour low, high; ///< of the colours, in the axes of the clamp
     Depths depths;    ///< the nearest, and the farthest
 };
-template <class Colour, class Depths> RangesAround(Colour, Colour, Depths) -> RangesAround<Colour, Depths>;
+template <class Colour, class Depths> RangeImages(Colour, Colour, Depths) -> RangeImages<Colour, Depths>;
 
 /// One pixel of the input: what is kept of it, and the ranges around it.
-template <class Policies, class Conversion, class Picture, class HostDepth, class HostMotion, class Kept, class Ranges>
-struct PrepareResolve {
+template <class Policies, class Conversion, class Picture, class HostDepth, class HostMotion, class Kept, class Ranges> struct KeepFrame {
     static constexpr auto name = "prepare resolve";
     Policies policies;
     Conversion vectors; ///< what the host's motion means
@@ -41,34 +40,28 @@ struct PrepareResolve {
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
         using V = Value<Picture::components, Real>;
-        using Axes = std::remove_const_t<decltype(policies.axes)>;
-        TapsAround<Real> const taps(kept.size, Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y)));
-        V const centre = taps.at(picture, 0, 0);
-        typename decltype(policies.range)::template Gatherer<V> range(Axes::from(centre));
-        Real const own = taps.at(depth, 0, 0);
-        Real nearest = own, farthest = own;
-        vec2<Real> vector = taps.at(motion, 0, 0);
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                range.add(Axes::from(V(taps.at(picture, dx, dy))), Real(1.f), dx, dy);
-                Real const its_depth = taps.at(depth, dx, dy);
-                auto const nearer = its_depth < nearest;
-                if (any(nearer)) vector = select(nearer, vec2<Real>(taps.at(motion, dx, dy)), vector);
-                nearest = select(nearer, its_depth, nearest);
-                farthest = max(farthest, its_depth);
-            }
-        range.finish(policies.range);
-        store_pixels<Real>(kept.colour, x, y, centre, count);
-        store_pixels<Real>(kept.motion, x, y, vec2<Real>(vectors(vector)), count);
-        store_pixels<Real>(kept.depth, x, y, own, count);
-        store_pixels<Real>(around.low, x, y, range.low, count);
-        store_pixels<Real>(around.high, x, y, range.high, count);
-        store_pixels<Real>(around.depths, x, y, vec2<Real>{nearest, farthest}, count);
+        Tap<Real> const here{{kept.size, x, y}, *this};
+        auto const ranges = ranges_around<V>(policies, here);
+        store_pixels<Real>(kept.colour, x, y, here.picture(), count);
+        store_pixels<Real>(kept.motion, x, y, vec2<Real>(vectors(ranges.vector)), count);
+        store_pixels<Real>(kept.depth, x, y, here.depth(), count);
+        store_pixels<Real>(around.low, x, y, ranges.low, count);
+        store_pixels<Real>(around.high, x, y, ranges.high, count);
+        store_pixels<Real>(around.depths, x, y, ranges.depths, count);
     }
+
+private:
+    template <class Real> struct Tap : PixelInImage<Real> {
+        KeepFrame const& job;
+        QUELL_KERNEL Tap at(int dx, int dy) const { return {{this->size, this->x + dx, this->y + dy}, job}; }
+        QUELL_KERNEL Value<Picture::components, Real> picture() const { return this->load(job.picture); }
+        QUELL_KERNEL Real depth() const { return this->load(job.depth); }
+        QUELL_KERNEL vec2<Real> motion() const { return this->load(job.motion); }
+    };
 };
 template <class Policies, class Conversion, class Picture, class HostDepth, class HostMotion, class Kept, class Ranges>
-PrepareResolve(Policies, Conversion, Picture, HostDepth, HostMotion, Kept, Ranges)
-    -> PrepareResolve<Policies, Conversion, Picture, HostDepth, HostMotion, Kept, Ranges>;
+KeepFrame(Policies, Conversion, Picture, HostDepth, HostMotion, Kept, Ranges)
+    -> KeepFrame<Policies, Conversion, Picture, HostDepth, HostMotion, Kept, Ranges>;
 
 /// One output pixel of a Resolve.
 template <class Policies, class Kept, class Ranges, class Target> struct ResolveJob {
@@ -76,73 +69,87 @@ template <class Policies, class Kept, class Ranges, class Target> struct Resolve
     Policies policies;
     std::array<Kept, Policies::past_frames + 1> frames; ///< this frame, and those before it
     int frame_count;
-    Ranges around;
+    Ranges ranges;
     Target target;
 
     template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
-        using V = Value<Target::components, Real>;
-        using Axes = std::remove_const_t<decltype(policies.axes)>;
-        auto const& now = frames[0];
-        vec2<Real> place{Real(static_cast<float>(x) + 0.5f) + lanes<Real>(), Real(static_cast<float>(y) + 0.5f)};
-        auto where = in_frame(now, place);
-        V const seen = interpolate<Real>(now.colour, now.size, where);
-        Real best = sample_weight(now, where), total = best;
-        V sum = scale(seen, total);
-        auto const here = nearest_sample(now, where);
-        V const low(here.at(around.low, 0, 0)), high(here.at(around.high, 0, 0));
-        vec2<Real> const depths = here.at(around.depths, 0, 0);
-        Real const nearest = depths.x * (1.f - policies.depth_tolerance), farthest = depths.y * (1.f + policies.depth_tolerance);
-        vec2<Real> vector = here.at(now.motion, 0, 0);
-        auto known = Real(0.f) == Real(0.f);
-        for (int i = 1; i < frame_count; ++i) {
-            auto const& then = frames[static_cast<std::size_t>(i)];
-            auto const ratio = ratio_of(frames[static_cast<std::size_t>(i - 1)]);
-            vec2<Real> const moved{fma(vector.x, Real(ratio.x), place.x), fma(vector.y, Real(ratio.y), place.y)};
-            known = both(known, inside(moved));
-            if (!any(known)) break;
-            place = select(known, moved, place);
-            where = in_frame(then, place);
-            auto const there = nearest_sample(then, where);
-            Real const its_depth = there.at(then.depth, 0, 0);
-            Real const weight = masked(both(known, its_depth >= nearest, its_depth <= farthest), sample_weight(then, where));
-            auto const colour = Axes::from(V(there.at(then.colour, 0, 0)));
-            auto const clamped = map([](auto a, auto l, auto h) QUELL_INLINED { return clamp(a, l, h); }, colour, low, high);
-            sum = add_scaled(sum, V(Axes::to(clamped)), weight);
-            total = total + weight;
-            best = max(best, weight);
-            vector = vec2<Real>(there.at(then.motion, 0, 0));
-        }
-        // Where no sample of any frame lies near, the spline of this frame knows as much.
-        V const mean = scale(sum, 1.f / max(total, Real(1e-12f)));
-        V const value = map([&](auto a, auto b) QUELL_INLINED { return fma(b - a, best, a); }, seen, mean);
-        store_pixels<Real>(target, x, y, value, count);
+        store_pixels<Real>(target, x, y, resolved<Value<Target::components, Real>>(policies, Seen<Real>{*this, x, y}), count);
     }
 
 private:
-    [[nodiscard]] QUELL_KERNEL glm::vec2 ratio_of(Kept const& frame) const {
-        return {static_cast<float>(target.size.width) / static_cast<float>(frame.size.width),
-                static_cast<float>(target.size.height) / static_cast<float>(frame.size.height)};
-    }
-    /// A place of the output, among the samples of a frame: that of pixel (x, y) is at (x + .5, y + .5).
-    template <class Real> QUELL_KERNEL vec2<Real> in_frame(Kept const& frame, vec2<Real> const& place) const {
-        auto const ratio = ratio_of(frame);
-        return {place.x * (1.f / ratio.x) - frame.jitter.x, place.y * (1.f / ratio.y) - frame.jitter.y};
-    }
-    template <class Real> QUELL_KERNEL static TapsAround<Real> nearest_sample(Kept const& frame, vec2<Real> const& where) {
-        return {frame.size, clamp(floor(where.x), Real(0.f), Real(static_cast<float>(frame.size.width - 1))),
-                clamp(floor(where.y), Real(0.f), Real(static_cast<float>(frame.size.height - 1)))};
-    }
-    template <class Real> QUELL_KERNEL Real sample_weight(Kept const& frame, vec2<Real> const& where) const {
-        auto const ratio = ratio_of(frame);
-        auto const across = (where.x - floor(where.x) - 0.5f) * ratio.x, down = (where.y - floor(where.y) - 0.5f) * ratio.y;
-        return policies.kernel.weight(across * across + down * down);
-    }
-    template <class Real> QUELL_KERNEL auto inside(vec2<Real> const& place) const {
-        return both(is_finite(place.x), is_finite(place.y), place.x >= Real(0.f), place.x <= Real(static_cast<float>(target.size.width)),
-                    place.y >= Real(0.f), place.y <= Real(static_cast<float>(target.size.height)));
-    }
+    /// A frame whose places are those of the output.
+    template <class Real> struct Seen {
+        ResolveJob const& job;
+        int x, y;
+
+        struct Of {
+            using V = Value<Target::components, Real>;
+            Kept const& frame;
+            glm::vec2 ratio; ///< of the output's size to that of the frame
+
+            [[nodiscard]] QUELL_KERNEL Extent size() const { return frame.size; }
+            QUELL_KERNEL vec2<Real> where(vec2<Real> const& place) const {
+                return {place.x * (1.f / ratio.x) - frame.jitter.x, place.y * (1.f / ratio.y) - frame.jitter.y};
+            }
+            QUELL_KERNEL vec2<Real> moved(vec2<Real> const& place, vec2<Real> const& vector) const {
+                return {fma(vector.x, Real(ratio.x), place.x), fma(vector.y, Real(ratio.y), place.y)};
+            }
+            QUELL_KERNEL vec2<Real> off_centre(vec2<Real> const& at) const {
+                return {(at.x - floor(at.x) - 0.5f) * ratio.x, (at.y - floor(at.y) - 0.5f) * ratio.y};
+            }
+            QUELL_KERNEL V picture(auto const& place, int dx, int dy) const { return fetch<Real>(frame.colour, size(), place, dx, dy); }
+            QUELL_KERNEL Real depth(auto const& place) const { return fetch<Real>(frame.depth, size(), place, 0, 0); }
+            QUELL_KERNEL vec2<Real> vector(auto const& place) const { return fetch<Real>(frame.motion, size(), place, 0, 0); }
+        };
+        QUELL_KERNEL Of of(int i) const {
+            auto const& frame = job.frames[static_cast<std::size_t>(i)];
+            auto const size = job.target.size;
+            return {frame,
+                    {static_cast<float>(size.width) / static_cast<float>(frame.size.width),
+                     static_cast<float>(size.height) / static_cast<float>(frame.size.height)}};
+        }
+        QUELL_KERNEL Of now() const { return of(0); }
+        QUELL_KERNEL vec2<Real> place() const {
+            return {Real(static_cast<float>(x) + 0.5f) + lanes<Real>(), Real(static_cast<float>(y) + 0.5f)};
+        }
+        QUELL_KERNEL auto contains(vec2<Real> const& place) const {
+            auto const size = job.target.size;
+            return both(place.x >= Real(0.f), place.x <= Real(static_cast<float>(size.width)), place.y >= Real(0.f),
+                        place.y <= Real(static_cast<float>(size.height)));
+        }
+        QUELL_KERNEL RangesAround<typename Of::V> around(auto const& place) const {
+            auto const size = job.frames[0].size;
+            return {fetch<Real>(job.ranges.low, size, place, 0, 0),
+                    fetch<Real>(job.ranges.high, size, place, 0, 0),
+                    fetch<Real>(job.ranges.depths, size, place, 0, 0),
+                    {}};
+        }
+        QUELL_KERNEL void each_past(auto&& visit) const {
+            for (int i = 1; i < job.frame_count; ++i)
+                if (!visit(of(i), of(i - 1))) return;
+        }
+    };
 };
 template <class Policies, class Kept, std::size_t n, class Ranges, class Target>
 ResolveJob(Policies, std::array<Kept, n>, int, Ranges, Target) -> ResolveJob<Policies, Kept, Ranges, Target>;
+
+/// The pass of a sharpening.
+template <class Sharpening, class From, class To> struct SharpenJob {
+    static constexpr auto name = "sharpen";
+    Sharpening sharpening;
+    From from;
+    To to;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
+        using V = Value<From::components, Real>;
+        auto const tap = [&](int dx, int dy) QUELL_INLINED {
+            PixelInImage<Real> const pixel{from.size, x + dx, y + dy};
+            return select(pixel.inside(), V(pixel.load(from)), V(load_pixels<Real>(from, x, y)));
+        };
+        V const beside[] = {tap(-1, 0), tap(1, 0), tap(0, -1), tap(0, 1)};
+        store_pixels<Real>(to, x, y, sharpening(V(load_pixels<Real>(from, x, y)), beside), count);
+    }
+};
+template <class Sharpening, class From, class To> SharpenJob(Sharpening, From, To) -> SharpenJob<Sharpening, From, To>;
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

@@ -6,7 +6,6 @@
 #include <quell/pipeline/window.hpp>
 #include <quell/resolve/kept_frames.hpp>
 #include <quell/resolve/resolve_passes.hpp>
-#include <quell/resolve/sharpening.hpp>
 
 #include <array>
 #include <cstddef>
@@ -86,7 +85,7 @@ template <class P, class Policy, ImageStorage Storage> class History<Resolved<P,
 
         explicit Scratch(Extent size) : low(size), high(size), depths(size) {}
         [[nodiscard]] std::size_t bytes() const { return low.bytes() + high.bytes() + depths.bytes(); }
-        [[nodiscard]] auto view() const { return detail::RangesAround{low.view(), high.view(), depths.view()}; }
+        [[nodiscard]] auto view() const { return detail::RangeImages{low.view(), high.view(), depths.view()}; }
     };
 
 public:
@@ -180,7 +179,7 @@ struct ResolvedRun {
         auto const around = history.scratch->view();
         VectorConversion<P::motion_convention> const vectors(frame.size, kept.jitter, jitter_then);
         run_or_enqueue(executor, Region{0, 0, frame.size.width, frame.size.height},
-                       PrepareResolve{policies, vectors, picture, frame[depth].view(), frame[motion].view(), now, around});
+                       KeepFrame{policies, vectors, picture, frame[depth].view(), frame[motion].view(), now, around});
 
         std::array<std::remove_const_t<decltype(now)>, std::size_t{Policy::past_frames + 1}> frames;
         frames.fill(now);

@@ -66,7 +66,7 @@ public:
 private:
     template <class Job> void record_job(Job const& job) {
         if constexpr (
-            requires { job.finish; } || requires { job.output; })
+            requires { job.finish; } || requires { job.output; } || requires { job.carried; })
             record_pass(job);
         // Others repair what a frame of numbers has: there is none here.
         if constexpr (requires { requires IsCounted<decltype(Job::pass)>; }) {
@@ -121,7 +121,9 @@ private:
                              [&]<class C>(C c) { note(job.finish.remembered.view(c), C::name, fraction); });
             note(job.finish.output, "output", fraction);
             if (job.store_signal) note(job.signal, "signal", fraction);
-        } else
+        } else if constexpr (requires { job.carried; })
+            for_each_channel(typename decltype(job.carried)::channels{}, [&]<class C>(C c) { note(job.carried.view(c), C::name, 1); });
+        else
             note(job.output, "output", 1);
     }
     void keep(PassRecording& recording, std::string name, int fraction) {
@@ -147,6 +149,7 @@ private:
 
 /// The executor.
 struct RecordingExecutor {
+    static constexpr bool needs_own_images = true; ///< a plan's buffers are those of this frame and the last
     PassRecorder* recorder;
     void for_each_pixel(Region, auto const& job) const { recorder->record(job); }
 };

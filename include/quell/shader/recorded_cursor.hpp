@@ -161,8 +161,8 @@ template <class S> struct Pixel<Recorded, S, 1> {
     template <ChannelTag C> auto elsewhere(PixelCoordinates<Real> const& place, C c) const {
         return read(c, [&](auto const& view) { return detail::fetch_recorded(view, size(), place, 0, 0); });
     }
-    auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
-        auto const v = detail::fetch_recorded(scope.signal, size(), place, 0, 0);
+    auto signal_elsewhere(PixelCoordinates<Real> const& place, int dx = 0, int dy = 0) const {
+        auto const v = detail::fetch_recorded(scope.signal, size(), place, dx, dy);
         return std::pair{without_mark(v), S::mark::template of<S::marks_missing>(v)};
     }
     RecordedRays const& rays() const { return detail::pass_recording->rays; }

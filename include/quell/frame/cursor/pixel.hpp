@@ -157,10 +157,10 @@ template <class R, class S, int rows = 1> struct Pixel {
         require_same_size<C>();
         return read(c, [&](auto const& view) QUELL_INLINED { return detail::fetch<Real>(view, scope.size, place, 0, 0); });
     }
-    /// The signal at any place, and whether the host's sample is missing there.
-    QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place) const {
+    /// The signal at any place plus (dx, dy), and whether the host's sample is missing there.
+    QUELL_KERNEL auto signal_elsewhere(PixelCoordinates<Real> const& place, int dx = 0, int dy = 0) const {
         require_frame_size();
-        auto const v = detail::fetch<Real>(scope.signal, scope.size, place, 0, 0);
+        auto const v = detail::fetch<Real>(scope.signal, scope.size, place, dx, dy);
         return std::pair{without_mark(v), S::mark::template of<S::marks_missing>(v)};
     }
     /// rays().position(where, z): in world space. The sample is at position() plus jitter_now(). The policy must declare `needs_camera`.

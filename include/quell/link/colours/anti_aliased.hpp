@@ -2,24 +2,12 @@
 
 #include <quell/frame/modulation.hpp>
 #include <quell/link/colours/anti_aliased_pixel.hpp>
+#include <quell/link/seen_channels.hpp>
 #include <quell/pipeline/chain.hpp>
 
 #include <algorithm>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
-
-/// The colours of a frame, which light is multiplied by: those that Demodulate divides by.
-struct SeenColour : InternalChannel<3> {
-    static constexpr auto name = "seen_colour"; ///< of the channel
-};
-/// The depth of a frame, as anti-aliasing keeps it.
-struct SeenDepth : ExactChannel<1> {
-    static constexpr auto name = "seen_depth"; ///< of the channel
-};
-/// Its motion, in pixels, without jitter.
-struct SeenMotion : ExactChannel<2> {
-    static constexpr auto name = "seen_motion"; ///< of the channel
-};
 
 struct AntiAliased;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/core/channel.hpp>
+#include <quell/frame/earlier.hpp>
 
 #include <array>
 
@@ -9,9 +9,17 @@ namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 /// A channel as a value. Its address identifies it.
 struct ChannelInfo {
     std::string_view name;
-    int fraction = 1; ///< image size = frame size / fraction, rounded up
+    int fraction = 1;                   ///< image size = frame size / fraction, rounded up
+    ChannelInfo const* later = nullptr; ///< of an Earlier: what it was a frame ago
 };
-template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::fraction};
+template <ChannelTag C> constexpr ChannelInfo const* later_info();
+template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::fraction, later_info<C>()};
+template <ChannelTag C> constexpr ChannelInfo const* later_info() {
+    if constexpr (frames_earlier<C> > 0)
+        return &channel_info<typename C::later>;
+    else
+        return nullptr;
+}
 using ChannelId = ChannelInfo const*;
 
 /// Some channels, in order.

@@ -66,6 +66,7 @@ private:
     constexpr void describe_images() {
         list.keeps = ChannelIds(typename P::keeps{}), list.remembers = ChannelIds(typename P::remembers{});
         list.signal = format_of<Storage, typename P::Signal>, list.output = format_of<Storage, typename P::Output>;
+        list.carries = ChannelIds(typename P::carries{}), list.carry = K::carry_of();
         list.has_past = P::has_past;
         list.complete_ingest = K::complete_ingest_of();
         list.demodulates = !std::is_same_v<typename P::Form, NoModulation>;

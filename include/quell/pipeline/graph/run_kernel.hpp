@@ -21,6 +21,25 @@ template <ChannelTag C, class From, class To> struct RepairJob {
     }
 };
 
+/// Copies what is carried one frame on; where there is no last frame, this one stands for it.
+template <class Then, class Kept, class Carried> struct CarryJob {
+    static constexpr auto name = "carry";
+    Then then; ///< of the last frame
+    Kept kept; ///< of this one
+    Carried carried;
+    bool has_past;
+
+    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, Coordinate<Real> x, Coordinate<Real> y, int count) const {
+        for_each_channel(typename Carried::channels{}, [&]<class C>(C c) QUELL_INLINED {
+            store_pixels<Real>(carried.view(c), x, y,
+                               has_past ? load_pixels<Real>(then.view(typename C::later{}), x, y)
+                                        : load_pixels<Real>(kept.view(typename C::kept{}), x, y),
+                               count);
+        });
+    }
+};
+template <class Then, class Kept, class Carried> CarryJob(Then, Kept, Carried, bool) -> CarryJob<Then, Kept, Carried>;
+
 /// The storage of a frame's guides.
 template <class Storage> constexpr auto storage_of_guides() {
     if constexpr (requires { typename Storage::Others; })
@@ -157,7 +176,29 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
             return nullptr;
     }
 
+    /// What copies that which is carried; null where images are handed on, as all executors do but those that need each frame to have images
+    /// of its own.
+    static constexpr auto carry_of() -> decltype(PassList::carry) {
+        if constexpr (P::carries::size > 0 && requires { requires E::needs_own_images; })
+            return [](TypedByKernel const& typed, ImagePool& pool, ImageTable const& then, ImageTable& now, bool has_past) {
+                copy_carried(typed, pool, then, now, has_past, typename P::carries{});
+            };
+        else
+            return nullptr;
+    }
+
 private:
+    template <class... Cs>
+    static void copy_carried(TypedByKernel const& typed, ImagePool& pool, ImageTable const& then, ImageTable& now, bool has_past,
+                             Channels<Cs...> carried) {
+        ((now[&channel_info<Cs>] = pool.take(format_of<Storage, Cs>)), ...);
+        auto const size = frame_in(typed).size;
+        static_cast<E const*>(typed.executor)
+            ->for_each_pixel(Region{0, 0, size.width, size.height},
+                             CarryJob{then.template views<Storage>(union_of<Channels<typename Cs::later>...>{}),
+                                      now.template views<Storage>(union_of<Channels<typename Cs::kept>...>{}),
+                                      now.template views<Storage>(carried), has_past});
+    }
     static void complete_ingest(IngestCompletionArguments const& a) {
         auto const again = job_of<decltype(P::ingest), false>(a.ingest, a.ingest.images.repaired);
         auto const fill = job_of<FillHoles, true>(a.fill, ImageTable{}), fill_back = job_of<FillHoles, true>(a.fill_back, ImageTable{});

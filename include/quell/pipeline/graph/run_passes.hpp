@@ -45,6 +45,10 @@ public:
     PassRunner& operator=(PassRunner const&) = delete;
 
     void run() {
+        // What the next frame sees of frames farther back: the images are handed on.
+        if (!list.carry)
+            for (ChannelId const each : list.carries)
+                if (auto const* const its = history.then.kept.find(each->later)) history.now.kept[each] = *its;
         if (typed.queue)
             enqueue_ingest();
         else
@@ -188,11 +192,15 @@ private:
         for (auto next = i + 1; next < list.passes.size(); ++next)
             if (list.passes[next].reads_past()) return;
         history.then.signal = {};
-        history.then.kept.drop_all();
+        if (!list.carry) history.then.kept.drop_all();
     }
 
     void end() {
         for (ChannelId const kept : list.keeps) history.now.kept[kept] = history.made[kept];
+        if (list.carry) list.carry(typed, *history.pool, history.then.kept, history.now.kept, facts.has_past);
+        // Where there are not as many frames yet, the first stands for those before it.
+        for (ChannelId const each : list.carries)
+            if (auto const its = history.now.kept[each->later]; !history.now.kept.find(each)) history.now.kept[each] = its;
         history.advance();
         // What no sample was ever seen of is no past.
         history.empty = !list.has_past || (!facts.has_past && nothing_seen);
