@@ -53,7 +53,10 @@ Code const* code_for(char const* wanted, quell_status& status) {
 
 /// A sentence where a device can't do what the settings ask for.
 std::string check_device(quell_settings const& settings) {
+    bool const is_resized = (settings.output_width != 0 || settings.output_height != 0) &&
+                            (settings.output_width != settings.width || settings.output_height != settings.height);
     for (auto const& [name, is_set] : {std::pair{"alpha", settings.alpha != 0},
+                                       {"an output of another size", is_resized},
                                        {"allocate", settings.allocate != nullptr},
                                        {"instruction_set", settings.instruction_set != nullptr}})
         if (is_set)
@@ -395,7 +398,7 @@ quell_status quell_create(quell_settings const* settings, quell_denoiser** denoi
                                                                 .way = way,
                                                                 .motion = settings->motion,
                                                                 .two_sided = has(two_sided_stage),
-                                                                .resolves = has(resolve_stage),
+                                                                .resolves = has(resolve_stage) && !on_device,
                                                                 .sizes = sizes_of(*settings),
                                                                 .guide_width = settings->width,
                                                                 .threads = OwnThreads(settings->threads),

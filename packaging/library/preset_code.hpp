@@ -133,5 +133,8 @@ using CodesOf = Codes const*();
 
 // Names of stages that change what a denoiser reads, how it is called, or what stands behind them.
 inline constexpr auto two_sided_stage = "two-sided", resolve_stage = "resolve", evidence_stage = "evidence", colours_stage = "colours";
+/// Behind the name of a preset: why it can't have both.
+inline constexpr auto colours_and_resolve = "has the colours of the pixels' centres with 'colours', and 'resolve' is for samples that lie "
+                                            "elsewhere; leave one of the two out";
 
 } // namespace quell_library

@@ -118,10 +118,7 @@ std::shared_ptr<PresetWay const> with_stages(CompiledPreset const& preset, std::
     if (!way && alpha) return refuse("settings.alpha", "has none; leave it 0, or take general or final-frame");
     if (!way) return refuse("settings.stages", "makes no use of frames to come; leave 'two-sided' out, or take general or final-frame");
     auto const& judge = way_of(judge_of(preset), two_sided, alpha);
-    if (is_wanted(resolve_stage) && is_wanted(colours_stage))
-        return refuse("settings.stages",
-                      "has anti-aliased colours at the pixels' centres with 'colours', and 'resolve' is of pictures whose "
-                      "samples lie elsewhere; leave one of the two out");
+    if (is_wanted(resolve_stage) && is_wanted(colours_stage)) return refuse("settings.stages", colours_and_resolve);
     std::vector<Stage const*> wanted;
     auto plan = way.plan();
     for (auto const& stage : stages()) {

@@ -72,6 +72,13 @@ TEST_CASE("a chain that gives light back is that of Serial") {
     device::check_preset<5>(expected, &graphs);
 }
 
+TEST_CASE("links that keep frames are those of Serial: colours, and resolve, which keeps six") {
+    CudaGraphs graphs;
+    device::check_preset<6>(device::by_serial(6), &graphs);
+    device::check_preset<7>(device::by_serial(7), nullptr);
+    device::check_preset<7>(device::by_serial(7), &graphs);
+}
+
 TEST_CASE("a graph that is run again has the frame's own camera, jitter, number and images") {
     auto const before = device::counts();
     CudaGraphs graphs;

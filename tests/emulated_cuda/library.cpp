@@ -161,10 +161,13 @@ TEST_CASE("libquell gives the bits of Serial from device pointers, from the host
     check_bits([](std::string_view name) { return name == "normal" || name == "output"; });
 }
 
-TEST_CASE("libquell puts stages behind a preset on the device: light with the bits of Serial, and one of a host's own") {
+TEST_CASE(
+    "libquell puts stages behind a preset on the device: light, colours and resolve with the bits of Serial, and one of a host's own") {
     check_bits(everywhere, "light", 5);
     check_bits(nowhere, "light", 5);
     check_bits([](std::string_view name) { return name == "radiance"; }, "light", 5);
+    check_bits(everywhere, "colours", 6);
+    check_bits(everywhere, "resolve", 7);
 
     auto settings = settings_of();
     settings.stages = "half";
@@ -225,9 +228,11 @@ TEST_CASE("what a device can't do is said, and what it lacks") {
     auto changed = settings;
     changed.stages = "two-sided";
     CHECK(refused(changed, QUELL_NOT_SUPPORTED) ==
-          "settings.stages: there is no 'two-sided' for CUDA; give some of these, with commas between: light, half");
+          "settings.stages: there is no 'two-sided' for CUDA; give some of these, with commas between: light, colours, resolve, half");
     changed = settings, changed.output_width = 2 * width, changed.output_height = 2 * height;
-    CHECK(refused(changed, QUELL_NOT_SUPPORTED).find("no 'resolve' for CUDA") != std::string::npos);
+    CHECK(refused(changed, QUELL_NOT_SUPPORTED).find("QUELL_CUDA with an output of another size") != std::string::npos);
+    changed = settings, changed.stages = "colours,resolve";
+    CHECK(refused(changed, QUELL_NOT_SUPPORTED).find("leave one of the two out") != std::string::npos);
     changed = settings, changed.preset = "trmv";
     CHECK(refused(changed, QUELL_UNKNOWN_PRESET) == "settings.preset: there is no 'trmv' for CUDA; give one of: svgf");
     changed = settings, changed.device = 7;
@@ -235,8 +240,8 @@ TEST_CASE("what a device can't do is said, and what it lacks") {
     CHECK(std::string(quell_device_preset_name(QUELL_CUDA, 0)) == "svgf");
     CHECK(quell_device_preset_name(QUELL_CUDA, 1) == nullptr);
     CHECK(std::string(quell_stage_name(QUELL_CUDA, 0)) == "light");
-    CHECK(std::string(quell_stage_name(QUELL_CUDA, 1)) == "half");
-    CHECK(quell_stage_name(QUELL_CUDA, 2) == nullptr);
+    CHECK(std::string(quell_stage_name(QUELL_CUDA, 3)) == "half");
+    CHECK(quell_stage_name(QUELL_CUDA, 4) == nullptr);
 
     device::fail("cudaGetDeviceCount", 0, cudaErrorNoDevice);
     CHECK(refused(settings, QUELL_NOT_SUPPORTED) ==

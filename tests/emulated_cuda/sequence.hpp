@@ -3,6 +3,8 @@
 #include "../../bench/cuda/scene.hpp"
 
 #include <quell/link/light_given_back.hpp>
+#include <quell/link/resolve/resolve.hpp>
+#include <quell/presets/anti_aliased.hpp>
 #include <quell/presets/by_evidence.hpp>
 #include <quell/presets/effects.hpp>
 
@@ -48,11 +50,13 @@ template <int number> constexpr auto preset() {
     if constexpr (number == 3) return presets::glossy();
     if constexpr (number == 4) return presets::by_evidence(presets::surface_clamp(radiance, SuppressFireflies{}));
     if constexpr (number == 5) return Chain{presets::svgf(radiance, Demodulate{}), light_given_back(radiance, 4.f)};
+    if constexpr (number == 6) return presets::anti_aliased(presets::svgf(radiance, Demodulate{}), AntiAliased::of_samples(4));
+    if constexpr (number == 7) return Chain{presets::svgf(radiance, Demodulate{}), Pipeline{denoised, Spatial{Resolve{}}}};
     // Those that take long to compile: preset.cpp.
-    if constexpr (number == 6) return presets::shadow();
-    if constexpr (number == 7) return presets::dual_cone();
-    if constexpr (number == 8) return presets::final_frame(radiance, Demodulate{});
-    if constexpr (number == 9) return presets::trmv();
+    if constexpr (number == 8) return presets::shadow();
+    if constexpr (number == 9) return presets::dual_cone();
+    if constexpr (number == 10) return presets::final_frame(radiance, Demodulate{});
+    if constexpr (number == 11) return presets::trmv();
 }
 
 template <class F> void spoil_a_part(F& frame) {

@@ -2,6 +2,7 @@
 
 #include <quell/link/colours/anti_aliased.hpp>
 #include <quell/link/light_given_back.hpp>
+#include <quell/link/resolve/resolve.hpp>
 
 #include <string_view>
 #include <tuple>
@@ -31,6 +32,10 @@ inline constexpr std::tuple named_stages{
     NamedStage{"colours",
                [](StandsBehind of) {
                    return Pipeline{denoised, Spatial{AntiAliased::of_samples(static_cast<int>(of.samples))}};
+               }},
+    NamedStage{"resolve",
+               [](StandsBehind) {
+                   return Pipeline{denoised, Spatial{Resolve{}}};
                }},
 };
 

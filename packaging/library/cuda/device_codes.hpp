@@ -61,8 +61,13 @@ public:
 inline std::shared_ptr<PresetWay const> with_stages(DeviceCode const& preset, std::vector<DeviceCode> const& stages,
                                                     std::vector<std::string> const& names, std::string& refusal) {
     auto way = preset.way;
+    auto const is_wanted = [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
+    if (is_wanted(resolve_stage) && is_wanted(colours_stage)) {
+        refusal = "settings.stages: '" + preset.name + "' " + colours_and_resolve;
+        return nullptr;
+    }
     for (auto const& stage : stages) {
-        if (std::ranges::find(names, stage.name) == names.end()) continue;
+        if (!is_wanted(stage.name)) continue;
         auto const refuse = [&](std::string const& why) {
             refusal = "settings.stages: '" + preset.name + "' " + why + "; leave '" + stage.name + "' out";
             return nullptr;
