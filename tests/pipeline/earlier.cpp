@@ -2,6 +2,7 @@
 #include "../shader/own_policies.hpp"
 #include "../threads.hpp"
 
+#include <quell/pipeline/history_contents.hpp>
 #include <quell/pipeline/plan.hpp>
 #include <quell/pipeline/run.hpp>
 #include <quell/pipeline/warm_up.hpp>
@@ -15,7 +16,8 @@ namespace {
 constexpr Extent size{37, 5};
 
 /// The digits of a frame's picture where each frame's light is its number.
-template <class Executor, class Storage = Planar<>> std::vector<float> digits_of(std::vector<float> const& lights, Executor const& executor) {
+template <class Executor, class Storage = Planar<>>
+std::vector<float> digits_of(std::vector<float> const& lights, Executor const& executor) {
     Frame frame{size, look_back};
     History history{size, look_back, Storage{}};
     std::vector<float> digits;
@@ -68,7 +70,8 @@ TEST_CASE("earlier: images are handed on, one a frame, and none is made once all
     for (unsigned i = 0; i < 9; ++i) tests::fill_randomly(frame, i), run(look_back, frame, history), bytes.push_back(history.bytes());
     for (std::size_t i = 5; i < 9; ++i) CHECK(bytes[i] == bytes[4]);
     // The first frame keeps one image, the fifth four more.
-    CHECK(static_cast<double>(bytes[8] - bytes[0]) == doctest::Approx(4. * ImageOf<Planar<>, Radiance>(size).bytes()).epsilon(.05));
+    auto const of_images = static_cast<double>(4 * ImageOf<Planar<>, Radiance>(size).bytes());
+    CHECK(static_cast<double>(bytes[8] - bytes[0]) == doctest::Approx(of_images).epsilon(.05));
     auto const plan = plan_of(look_back);
     auto const& past = plan.passes.back().reads_past;
     REQUIRE(past.size() == 3);
@@ -77,4 +80,17 @@ TEST_CASE("earlier: images are handed on, one a frame, and none is made once all
     CHECK(past[2] == "seen_light, 3 frames earlier");
     CHECK(Earlier<tests::SeenLight, 12>::name == "seen_light, 12 frames earlier");
     CHECK(warm_up_frames(look_back) == 3);
+}
+
+TEST_CASE("earlier: contents of a history have it") {
+    constexpr Pipeline with_history{radiance, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{tests::KeepLight{}},
+                                    Spatial{tests::AddLightBefore{}}};
+    Frame frame{size, with_history};
+    History history{size, with_history}, other{size, with_history};
+    for (unsigned i = 0; i < 3; ++i) tests::fill_randomly(frame, i), run(with_history, frame, history);
+    put_contents(other, contents_of(history).value());
+    for (unsigned i = 3; i < 7; ++i) {
+        tests::fill_randomly(frame, i);
+        CHECK(tests::copy_of(run(with_history, frame, other)) == tests::copy_of(run(with_history, frame, history)));
+    }
 }

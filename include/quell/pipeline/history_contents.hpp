@@ -54,7 +54,7 @@ template <class P, class Storage> HistoryContents read_contents(HistoryImages co
             if (auto const* const image = table.find(&channel_info<C>)) to[std::string(C::name)] = planes_of<Storage, C>(*image);
         };
     };
-    for_each_channel(typename P::keeps{}, read(then.kept, contents.kept));
+    for_each_channel(decltype(typename P::keeps{} | typename P::carries{}){}, read(then.kept, contents.kept));
     for_each_channel(typename StoredChannels<typename P::remembers>::type{}, read(then.guides, contents.guides));
     return contents;
 }
@@ -69,7 +69,7 @@ template <class P, class Storage> void write_contents(HistoryImages& images, His
         };
     };
     then.signal = image_of<Storage, typename P::Signal>(*images.pool, contents.signal);
-    for_each_channel(typename P::keeps{}, write(then.kept, contents.kept));
+    for_each_channel(decltype(typename P::keeps{} | typename P::carries{}){}, write(then.kept, contents.kept));
     for_each_channel(typename StoredChannels<typename P::remembers>::type{}, write(then.guides, contents.guides));
     then.camera = contents.camera, then.shutter = contents.shutter, then.number = contents.number;
     images.empty = false;

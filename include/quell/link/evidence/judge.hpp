@@ -15,7 +15,7 @@ template <ChannelTag S, class... Parts> inline constexpr bool has_one_history<Pi
 template <class P, class Judge> constexpr bool can_judge() {
     if constexpr (has_one_history<P> && has_one_history<Judge>)
         return std::is_same_v<typename P::Output, typename Judge::Output> && std::is_same_v<typename P::Form, typename Judge::Form> &&
-               contained_in<typename Judge::keeps, typename P::keeps> &&
+               contained_in<typename Judge::keeps, typename P::keeps> && contained_in<typename Judge::carries, typename P::carries> &&
                contained_in<typename StoredChannels<typename Judge::remembers>::type, typename StoredChannels<typename P::remembers>::type>;
     else
         return false;
