@@ -10,7 +10,6 @@ namespace quell::inline QUELL_INSTRUCTION_SET {
 
 namespace detail {
 /// Like anti_alias().
-/// @param light  a view, or what has load(x, y) as views have it
 /// @param others a view that takes what the frames around tell, or NoOthers
 template <class E, class Storage, class Light, class To, class Others = NoOthers>
 void run_anti_alias(AntiAliased const& policy, E const& executor, ColouredFrame<Storage> const& here,

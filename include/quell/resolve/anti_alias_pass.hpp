@@ -1,7 +1,6 @@
 #pragma once
 
 #include <quell/execute/queue_executor.hpp>
-#include <quell/resolve/around_frame.hpp>
 #include <quell/resolve/coloured_frame.hpp>
 #include <quell/resolve/pixel_in_image.hpp>
 
@@ -10,6 +9,16 @@
 
 /// The pass of anti_alias(), and what it reads.
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// What is read of a frame around.
+template <class Storage> struct AroundFrame {
+    ViewOf<Storage, Albedo> colour{};
+    ViewOf<Storage, Depth> depth{};
+    ViewOf<Storage, Motion> onward{}; ///< from there to the next frame farther away
+    ViewOf<Storage, Motion> toward{}; ///< from there to the next frame nearer by; not finite: not known
+    glm::vec2 jitter{0.f};
+    bool knows_toward = true; ///< whether there is `toward`
+};
 
 /// Weights of the 3x3 around a pixel.
 inline std::array<float, 9> own_weights_of(AntiAliased const& policy, glm::vec2 jitter) {
@@ -84,12 +93,7 @@ private:
         [[nodiscard]] QUELL_KERNEL float own_weight(int dx, int dy) const {
             return job.own_weights[static_cast<std::size_t>(dy * 3 + dx + 4)];
         }
-        QUELL_KERNEL vec3<Real> plain() const {
-            if constexpr (requires { job.light.picture; })
-                return load_pixels<Real>(job.light.picture, x, y);
-            else
-                return vec3<Real>(load_pixels<Real>(job.here.colour, x, y)) * light();
-        }
+        QUELL_KERNEL vec3<Real> plain() const { return vec3<Real>(load_pixels<Real>(job.here.colour, x, y)) * light(); }
         QUELL_KERNEL vec3<Real> light() const { return load_beside<Real>(job.light, x, y); }
         QUELL_KERNEL Real depth() const { return load_pixels<Real>(job.here.depth, x, y); }
         [[nodiscard]] QUELL_KERNEL int count_after() const { return job.count_after; }

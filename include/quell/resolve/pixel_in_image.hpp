@@ -1,9 +1,13 @@
 #pragma once
 
 #include <quell/frame/cursor/past_pixel.hpp>
-#include <quell/resolve/light_of_picture.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
+
+/// Like load_pixels, of views without padding before a row too: the border repeats.
+template <class Real> QUELL_KERNEL auto load_beside(auto const& view, int x, int y) {
+    return fetch_repeated<Real>(view, vec2<Real>{Real(static_cast<float>(x)) + lanes<Real>(), Real(static_cast<float>(y))});
+}
 
 /// A pixel, or the pixels of a pack, which may lie outside the image.
 template <class Real> struct PixelInImage {
