@@ -30,9 +30,7 @@ concept WeighsDistance = requires(K const& kernel) {
 /// What a Resolve clamps to unless it is told otherwise. Samples of other places differ more than noise does.
 template <class Range> inline constexpr Range range_of_resolve{};
 template <> inline constexpr MeanDeviation range_of_resolve<MeanDeviation>{.sigmas = 1.5f};
-} // namespace detail
 
-namespace detail {
 /// Ranges around each pixel of this frame.
 struct RangeLow : InternalChannel<3> {
     static constexpr auto name = "range_low";
@@ -160,11 +158,14 @@ template <class Policies, int frames> struct TakeResolved {
 /// from frame to frame, which blurs it a little each time. Here the frames themselves are kept, at the input's size. As there, the past is
 /// sought along the motion of the nearest surface in the 3x3 around, so that edges move with what they belong to, and clamped to the range
 /// of the 3x3 around. A sample whose depth is none of those around counts nothing.
+///
+/// presets::resolve() puts it behind a denoiser, for an output of any size. As a filter of a link, `Pipeline{denoised, Spatial{Resolve{}}}`,
+/// it is for frames of the output's size.
 /// @tparam Kernel     how a sample's distance weighs: GaussianKernel, or another one with weight(squared distance)
 /// @tparam Range      MinMax, MeanDeviation, or another one with `low` and `high` (blend/clamped.hpp)
 /// @tparam Axes       the colour space in which the past is clamped: YCoCg or Rgb
 /// @tparam Sharpening what happens to the output: NoSharpening or Sharpen
-/// @tparam frames     how many frames of the past are kept, 1 to 15
+/// @tparam frames     how many frames of the past are kept, 1 to 15; by a link 1 to 10
 template <class Kernel = GaussianKernel, class Range = MeanDeviation, class Axes = YCoCg, class Sharpening = NoSharpening, int frames = 6>
 struct Resolve {
     static_assert(detail::WeighsDistance<Kernel>,
