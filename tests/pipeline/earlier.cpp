@@ -14,6 +14,8 @@ using tests::look_back;
 namespace {
 
 constexpr Extent size{37, 5};
+constexpr Pipeline with_history{radiance, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{tests::KeepLight{}},
+                                Spatial{tests::AddLightBefore{}}};
 
 /// The digits of a frame's picture where each frame's light is its number.
 template <class Executor, class Storage = Planar<>>
@@ -82,9 +84,25 @@ TEST_CASE("earlier: images are handed on, one a frame, and none is made once all
     CHECK(warm_up_frames(look_back) == 3);
 }
 
+TEST_CASE("earlier: behind a frame of which only the stages up to Temporal have run, there is none") {
+    constexpr Pipeline accumulated{radiance, Temporal{SurfaceMotion{}, RunningMean{}}};
+    Frame frame{size, with_history};
+    History history{size, with_history};
+    History plain{size, accumulated};
+    auto const next = [&](unsigned number) {
+        tests::fill_randomly(frame, number);
+        return std::pair{tests::copy_of(run(with_history, frame, history)), tests::copy_of(run(accumulated, frame, plain))};
+    };
+    for (unsigned i = 0; i < 3; ++i) next(i);
+    tests::fill_randomly(frame, 3);
+    accumulate(with_history, frame, history), accumulate(accumulated, frame, plain);
+    auto const [made, alone] = next(4);
+    CHECK(made == alone);
+    auto const [after, by_itself] = next(5);
+    CHECK(after != by_itself);
+}
+
 TEST_CASE("earlier: contents of a history have it") {
-    constexpr Pipeline with_history{radiance, Temporal{SurfaceMotion{}, RunningMean{}}, Spatial{tests::KeepLight{}},
-                                    Spatial{tests::AddLightBefore{}}};
     Frame frame{size, with_history};
     History history{size, with_history}, other{size, with_history};
     for (unsigned i = 0; i < 3; ++i) tests::fill_randomly(frame, i), run(with_history, frame, history);

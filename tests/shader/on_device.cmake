@@ -1,5 +1,5 @@
 # Runs the shaders of presets, as far as they are compiled in: of General and Effects all but trmv, whose passes are those of shadow, glossy
-# and dual-cone, and which takes as long as all three; and blur. With QUELL_SHADERS_OF naming presets, of these. Without glslangValidator or
+# and dual-cone, and which takes as long as all three; blur, and the stages behind presets. With QUELL_SHADERS_OF naming presets, of these. Without glslangValidator or
 # a Vulkan driver it is skipped.
 cmake_minimum_required(VERSION 3.22)
 include(${CMAKE_CURRENT_LIST_DIR}/../../examples/vulkan_host/run_on_device.cmake)
@@ -7,7 +7,7 @@ if(NOT GLSLANG)
     message("skipped: there is no glslangValidator (apt install glslang-tools)")
     return()
 endif()
-set(presets none surface surface-clamp atrous svgf general final-frame accumulated shadow glossy dual-cone blur)
+set(presets none surface surface-clamp atrous svgf general final-frame accumulated shadow glossy dual-cone blur light colours resolve)
 if(NOT "$ENV{QUELL_SHADERS_OF}" STREQUAL "")
     set(presets $ENV{QUELL_SHADERS_OF})
 endif()

@@ -2,6 +2,7 @@
 
 #include "../images.hpp"
 
+#include <quell/pipeline/chain.hpp>
 #include <quell/shader/interpreter.hpp>
 
 #include <glm/ext/matrix_clip_space.hpp>
@@ -34,7 +35,7 @@ public:
     FrameBlock block;      ///< of this frame
 
 private:
-    using Input = Frame<AllChannels>;
+    using Input = Frame<decltype(AllChannels{} + denoised)>; // stages behind presets read that
     ShaderPlan const& plan;
     Missing missing;
     Input frame{size};
@@ -130,7 +131,7 @@ private:
         int slot = 0;
         for (auto const& each : plan.inputs) {
             auto const plane = to.plane(ShaderBuffer::inputs, slot++);
-            for_each_channel(AllChannels{}, [&]<class C>(C c) {
+            for_each_channel(typename Input::channels{}, [&]<class C>(C c) {
                 if (each.channel == C::name)
                     for (int y = 0; y < size.height; ++y)
                         for (int x = 0; x < size.width; ++x)

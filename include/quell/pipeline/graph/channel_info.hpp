@@ -15,7 +15,7 @@ struct ChannelInfo {
 template <ChannelTag C> constexpr ChannelInfo const* later_info();
 template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::fraction, later_info<C>()};
 template <ChannelTag C> constexpr ChannelInfo const* later_info() {
-    if constexpr (frames_earlier<C> > 0)
+    if constexpr (frames_earlier < C >> 0)
         return &channel_info<typename C::later>;
     else
         return nullptr;

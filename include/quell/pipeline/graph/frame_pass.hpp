@@ -148,7 +148,7 @@ struct PassList {
     ChannelIds carries;             ///< what they were in frames farther back, the latest first
     /// Copies what is carried where images can't be handed on; null where they can.
     void (*carry)(TypedByKernel const&, ImagePool&, ImageTable const& then, ImageTable& now, bool has_past) = nullptr;
-    ChannelIds remembers;           ///< the host's channels that the next frame sees
+    ChannelIds remembers; ///< the host's channels that the next frame sees
     std::array<MadeChannel, 8> guides{};
     int guide_count = 0; ///< what is copied for the next frame, as the history stores it
     ImageFormat signal, output;

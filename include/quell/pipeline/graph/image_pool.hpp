@@ -78,6 +78,8 @@ public:
         auto const found = std::find_if(images.begin(), images.end(), is_of(channel));
         return found != images.end() && found->second ? &found->second : nullptr;
     }
+    /// Whether there is an image of each. After a frame of fewer stages (accumulate) there is none of what the others keep.
+    template <class... Cs> [[nodiscard]] bool has_all(Channels<Cs...>) const { return (find(&channel_info<Cs>) && ...); }
     void drop_all() { images.clear(); } // keeps the vector's memory
     void drop_if(auto&& unwanted) {
         for (auto& [channel, image] : images)

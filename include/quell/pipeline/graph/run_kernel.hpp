@@ -176,8 +176,8 @@ struct Kernels<P, Frame<Set, FrameStorage>, Storage, E, Into> {
             return nullptr;
     }
 
-    /// What copies that which is carried; null where images are handed on, as all executors do but those that need each frame to have images
-    /// of its own.
+    /// What copies that which is carried; null where images are handed on, as all executors do but those that need each frame to have
+    /// images of its own.
     static constexpr auto carry_of() -> decltype(PassList::carry) {
         if constexpr (P::carries::size > 0 && requires { requires E::needs_own_images; })
             return [](TypedByKernel const& typed, ImagePool& pool, ImageTable const& then, ImageTable& now, bool has_past) {
@@ -263,7 +263,7 @@ private:
                 .shutter = facts.shutter,
                 .shutter_then = facts.shutter_then,
                 .frame_index = facts.frame_index,
-                .has_past = facts.has_past && (then.signal || !P::has_temporal),
+                .has_past = facts.has_past && (then.signal || !P::has_temporal) && then.kept.has_all(typename S::kept_channels{}),
                 .vectors = vectors(facts)};
     }
     static Vectors vectors(FrameFacts const& facts) { return {facts.size, facts.jitter, facts.jitter_then}; }
