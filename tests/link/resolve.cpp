@@ -65,6 +65,14 @@ TEST_CASE("resolve: a link sharpens as presets::resolve does") {
     auto const made = last_of(link, 4, Simd{});
     CHECK(tests::difference(inner(made, 7), inner(last_of(presets::resolve(plain, sharp), 4, Simd{}), 7)) < 1e-4);
     CHECK(tests::difference(made, last_of(by_link, 4, Simd{})) > 1e-2);
+    // To the border where nothing moves.
+    auto const still = [](auto const& denoiser) {
+        Frame frame{size, denoiser};
+        History history{size, denoiser};
+        tests::fill_randomly(frame, 1);
+        return copy_of(run(denoiser, frame, history));
+    };
+    CHECK(tests::difference(still(link), still(presets::resolve(plain, sharp))) < 1e-4);
 }
 
 TEST_CASE("resolve: a link begins anew at a cut, and refuses wrong jitter") {

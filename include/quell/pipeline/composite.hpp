@@ -3,6 +3,8 @@
 #include <quell/core/light.hpp>
 #include <quell/pipeline/ingest.hpp>
 #include <quell/pipeline/run.hpp>
+
+#include <algorithm>
 #include <quell/pipeline/unfinished.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
@@ -163,6 +165,7 @@ template <ChannelTag C, class View> struct DenoisedSignal {
 } // namespace detail
 
 namespace detail {
+template <class... Ps> inline constexpr int kept_frames_of<Composite<Ps...>> = std::max({kept_frames_of<Ps>...});
 struct CompositeRun {
     template <class... Ps, class F, class Storage, class E>
     static auto all(Composite<Ps...> const& composite, F const& frame, History<Composite<Ps...>, Storage>& history, E const& executor) {

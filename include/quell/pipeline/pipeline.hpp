@@ -104,9 +104,10 @@ template <ChannelTag S, class... Elements> struct Pipeline {
         "luminance_variance WithMoments, clean_up_deviation WithCleanUp, light_change ChangeDetector, a shadow's track "
         "ShadowSplat, cones WithCones, blur's channels its guides");
     using carries = decltype(detail::carried(reads_kept_of<Elements...>{})); ///< of channels that it keeps, what they were in frames before
-    static_assert(contained_in<decltype(detail::kept_as(reads_kept_of<Elements...>{})), keeps>, "Pipeline{channel, options..., stages...}: a stage looks at what no "
-                                                                   "blend policy keeps: a BiasEstimate wants WithVariance{ForgetBiased{"
-                                                                   "RunningMean{}}}");
+    static_assert(contained_in<decltype(detail::kept_as(reads_kept_of<Elements...>{})), keeps>,
+                  "Pipeline{channel, options..., stages...}: a stage looks at what no "
+                  "blend policy keeps: a BiasEstimate wants WithVariance{ForgetBiased{"
+                  "RunningMean{}}}");
     static_assert(
         detail::all_of_frame_size(decltype(keeps{} | remembers{}){}),
         "Pipeline{channel, options..., stages...}: what is kept or remembered for the next frame must be of the frame's size (fraction 1)");
@@ -117,7 +118,7 @@ template <ChannelTag S, class... Elements> struct Pipeline {
     static constexpr bool has_temporal = (detail::is_temporal<Elements> || ...); ///< whether there is a Temporal
     /// Whether frames depend on the one before.
     static constexpr bool has_past = has_temporal || keeps::size > 0 || remembers::size > 0;
-    static constexpr bool needs_camera = (needs_camera_of<Elements> || ...); ///< whether frame.camera must be set
+    static constexpr bool needs_camera = (needs_camera_of<Elements> || ...);   ///< whether frame.camera must be set
     static constexpr bool checks_jitter = (checks_jitter_of<Elements> || ...); ///< whether frame.camera.jitter must be in range
 
     /// The first pass.

@@ -158,6 +158,7 @@ template <class P> struct PassesOf<TwoSided<P>> {
         PassesOf<P>::append(passes, denoiser.joining, history.after);
     }
 };
+template <class P> inline constexpr int kept_frames_of<TwoSided<P>> = kept_frames_of<P>;
 template <class P> struct RunOf<TwoSided<P>> {
     template <class W, class Storage, class E, class Into>
     static auto all(TwoSided<P> const& denoiser, W& window, History<TwoSided<P>, Storage>& history, E const& executor, Into const& into) {

@@ -110,6 +110,7 @@ private:
 };
 
 namespace detail {
+template <class P, class Judge> inline constexpr int kept_frames_of<ByEvidence<P, Judge>> = kept_frames_of<P>;
 struct ByEvidenceRun {
     /// Denoises a frame. Returns a view of the output; empty where it went to a target.
     template <class P, class Judge, class Set, class FrameStorage, class Storage, class E, class Into>
