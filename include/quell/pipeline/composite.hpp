@@ -3,9 +3,9 @@
 #include <quell/core/light.hpp>
 #include <quell/pipeline/ingest.hpp>
 #include <quell/pipeline/run.hpp>
+#include <quell/pipeline/unfinished.hpp>
 
 #include <algorithm>
-#include <quell/pipeline/unfinished.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET {
 
