@@ -74,5 +74,5 @@ TEST_CASE("a frame that ends for want of memory leaves nothing behind in any of 
     SUBCASE("of a choice by evidence") { check_frames_after(presets::by_evidence(plain)); }
     SUBCASE("of what is resolved") { check_frames_after(presets::resolve(plain)); }
     SUBCASE("of what is resolved behind a chain") { check_frames_after(presets::resolve(Chain{plain, accumulated<Denoised>})); }
-    SUBCASE("of anti-aliased colours") { check_frames_after(presets::anti_aliased<2>(plain)); }
+    SUBCASE("of anti-aliased colours") { check_frames_after(presets::anti_aliased(plain)); }
 }
