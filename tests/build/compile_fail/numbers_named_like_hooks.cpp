@@ -7,6 +7,7 @@
 // error: `Signal` of a policy must be `using Signal = ` a channel
 // error: `name` of a policy must be `static constexpr auto name =
 // error: `needs_camera` of a policy must be a `static constexpr bool`
+// error: `checks_jitter` of a policy must be a `static constexpr bool`
 // error: `reads_past_signal` of a policy must be a `static constexpr bool`
 // error: `leaves_signal` of a policy must be a `static constexpr bool`
 // error: `two_rows` of a policy must be a `static constexpr bool`
@@ -43,6 +44,7 @@ FILTER_WITH(parts);
 FILTER_WITH(Signal);
 FILTER_WITH(name);
 FILTER_WITH(needs_camera);
+FILTER_WITH(checks_jitter);
 FILTER_WITH(reads_past_signal);
 FILTER_WITH(leaves_signal);
 FILTER_WITH(two_rows);
