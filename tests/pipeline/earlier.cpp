@@ -81,7 +81,7 @@ TEST_CASE("earlier: images are handed on, one a frame, and none is made once all
     CHECK(past[1] == "seen_light, 1 frame earlier");
     CHECK(past[2] == "seen_light, 3 frames earlier");
     CHECK(Earlier<tests::SeenLight, 12>::name == "seen_light, 12 frames earlier");
-    CHECK(warm_up_frames(look_back) == 3);
+    CHECK(warm_up_frames(look_back) == 4);
 }
 
 TEST_CASE("earlier: behind a frame of which only the stages up to Temporal have run, there is none") {

@@ -47,7 +47,7 @@ TEST_CASE_TEMPLATE("a fresh history that is given another's contents goes on as 
     auto lacking = *contents;
     lacking.kept.erase("history_length");
     CHECK(tests::message([&] { put_contents(fresh, lacking); }) ==
-          "history contents: they lack history_length; take them of a like pipeline");
+          "history contents: they lack history_length; take them of a like pipeline, after a run() of all its stages");
 }
 
 TEST_CASE("alpha goes through a pipeline beside the colour, and changes no bit of it") {

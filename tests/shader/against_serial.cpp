@@ -9,6 +9,7 @@ template <> inline constexpr bool quell::detail::keeps_sums<float> = true;
 #include "two_sizes.hpp"
 
 #include <quell/link/light_given_back.hpp>
+#include <quell/link/resolve/resolve.hpp>
 #include <quell/presets/anti_aliased.hpp>
 #include <quell/presets/blur.hpp>
 #include <quell/presets/by_evidence.hpp>
@@ -153,6 +154,9 @@ TEST_CASE("a recorded chain, whose link has a history too, has the bits of Seria
 }
 TEST_CASE("a recorded link that gives light back has the bits of Serial") { check_sizes(light_given_back(radiance, 4.f)); }
 TEST_CASE("a recorded policy that looks at several frames of the past has the bits of Serial") { check_sizes(tests::look_back); }
+TEST_CASE("a recorded resolve has the bits of Serial") {
+    check_sizes(Pipeline{denoised, Spatial{Resolve<GaussianKernel, MeanDeviation, YCoCg, NoSharpening, 2>{}}});
+}
 TEST_CASE("recorded anti-aliased colours have the bits of Serial") {
     check_sizes(presets::anti_aliased(presets::none(radiance, Demodulate{})));
 }

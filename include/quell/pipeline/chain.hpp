@@ -43,7 +43,8 @@ template <class First, class... Links> struct Chain {
     static_assert(((!Links::reads::template has<Motion> || Links::motion_convention == motion_convention) && ...),
                   "Chain{first, links...}: one frame has vectors of one convention: give each pipeline the same Supplied<>");
     static constexpr bool needs_camera = First::needs_camera || (Links::needs_camera || ...); ///< whether frame.camera must be set
-    static constexpr bool checks_jitter = (Links::checks_jitter || ...); ///< whether frame.camera.jitter must be in range
+    static constexpr bool checks_jitter =
+        First::checks_jitter || (Links::checks_jitter || ...); ///< whether frame.camera.jitter must be in range
 
     First first;                ///< the denoiser
     std::tuple<Links...> links; ///< what stands behind, in order
@@ -81,7 +82,7 @@ public:
     }
     /// Those of the first.
     [[nodiscard]] Statistics statistics() const { return first.statistics(); }
-    /// Memory of history and scratch, in bytes. Complete after the second frame.
+    /// Memory of history and scratch, in bytes. Complete after the second frame, or when all frames that are kept are there.
     [[nodiscard]] std::size_t bytes() const { return first.bytes(); }
     /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return first.bytes_per_pixel(); }

@@ -45,7 +45,8 @@ template <class... Ps> struct Composite {
     }();
     static_assert(((!reads_of<Ps>::template has<Motion> || Ps::motion_convention == motion_convention) && ...),
                   "Composite{pipelines...}: one frame has vectors of one convention: give each pipeline the same Supplied<>");
-    static constexpr bool needs_camera = (Ps::needs_camera || ...); ///< whether frame.camera must be set
+    static constexpr bool needs_camera = (Ps::needs_camera || ...);   ///< whether frame.camera must be set
+    static constexpr bool checks_jitter = (Ps::checks_jitter || ...); ///< whether frame.camera.jitter must be in range
 
     std::tuple<Ps...> pipelines; ///< in the order given
 
@@ -79,7 +80,7 @@ public:
         std::apply([&](auto const&... h) { (sum.repaired_guides.raise_to(h.statistics().repaired_guides), ...); }, histories);
         return sum;
     }
-    /// Memory of history, scratch and picture, in bytes. Complete after the second frame.
+    /// Memory of history, scratch and picture, in bytes. Complete after the second frame, or when all frames that are kept are there.
     [[nodiscard]] std::size_t bytes() const { return picture.bytes() + pool->bytes(); }
     /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(picture.size().pixels()); }

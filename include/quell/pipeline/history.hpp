@@ -137,7 +137,7 @@ public:
         images.take_late_counts();
         return images.counted;
     }
-    /// Memory of history and scratch, in bytes. Complete after the second frame.
+    /// Memory of history and scratch, in bytes. Complete after the second frame, or when all frames that are kept are there.
     [[nodiscard]] std::size_t bytes() const { return images.pool->bytes(); }
     /// The same per pixel of the frame.
     [[nodiscard]] double bytes_per_pixel() const { return static_cast<double>(bytes()) / static_cast<double>(images.size.pixels()); }

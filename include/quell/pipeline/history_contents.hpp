@@ -59,18 +59,24 @@ template <class P, class Storage> HistoryContents read_contents(HistoryImages co
     return contents;
 }
 template <class P, class Storage> void write_contents(HistoryImages& images, HistoryContents const& contents) {
+    constexpr decltype(typename P::keeps{} | typename P::carries{}) kept;
+    constexpr typename StoredChannels<typename P::remembers>::type guides;
+    auto const check = [](auto const& from) {
+        return [&]<class C>(C) {
+            if (!from.contains(C::name))
+                raise_error("history contents", "they lack " + std::string(C::name),
+                            "take them of a like pipeline, after a run() of all its stages");
+        };
+    };
+    for_each_channel(kept, check(contents.kept)), for_each_channel(guides, check(contents.guides));
     images.restart(contents.size);
     auto& then = images.then;
     auto const write = [&](ImageTable& table, auto const& from) {
-        return [&]<class C>(C) {
-            auto const found = from.find(C::name);
-            if (found == from.end()) raise_error("history contents", "they lack " + std::string(C::name), "take them of a like pipeline");
-            table[&channel_info<C>] = image_of<Storage, C>(*images.pool, found->second);
-        };
+        return [&]<class C>(C) { table[&channel_info<C>] = image_of<Storage, C>(*images.pool, from.find(C::name)->second); };
     };
     then.signal = image_of<Storage, typename P::Signal>(*images.pool, contents.signal);
-    for_each_channel(decltype(typename P::keeps{} | typename P::carries{}){}, write(then.kept, contents.kept));
-    for_each_channel(typename StoredChannels<typename P::remembers>::type{}, write(then.guides, contents.guides));
+    for_each_channel(kept, write(then.kept, contents.kept));
+    for_each_channel(guides, write(then.guides, contents.guides));
     then.camera = contents.camera, then.shutter = contents.shutter, then.number = contents.number;
     images.empty = false;
 }
@@ -86,7 +92,7 @@ template <class P, class Storage> [[nodiscard]] std::optional<HistoryContents> c
 /// Makes a history remember other contents than its own. A component that the contents lack, such as alpha, becomes 1.
 /// @param history  any of the pipeline's; what it remembered is forgotten
 /// @param contents of a pipeline that keeps and remembers the same channels; its signal may have another number of components
-/// @throws Error naming a channel that they lack
+/// @throws Error naming a channel that they lack, before anything is forgotten
 template <class P, class Storage> void put_contents(History<P, Storage>& history, HistoryContents const& contents) {
     static_assert(P::has_temporal, "put_contents(history, contents): the pipeline has no Temporal{...}, so its history remembers nothing");
     detail::write_contents<P, Storage>(detail::OpenHistory::images(history), contents);

@@ -29,6 +29,7 @@ template <class P> struct TwoSided {
     using reads = decltype(typename P::reads{} | Channels<MotionNext>{});       ///< channels that the host must supply
     static constexpr MotionConvention motion_convention = P::motion_convention; ///< what the host's motion vectors mean: see Supplied
     static constexpr bool needs_camera = P::needs_camera;                       ///< whether frame.camera must be set
+    static constexpr bool checks_jitter = P::checks_jitter;                     ///< whether frame.camera.jitter must be in range
 
     P pipeline; ///< accumulates both sides
     P joining;  ///< joins them. Where light moves, one side lags and the other leads, so that their mean is better than either
@@ -173,6 +174,7 @@ template <class P> struct RunOf<TwoSided<P>> {
         constexpr int whole = StageOrder<P>::count;
         if (last == 0) return run_stages<whole>(denoiser.pipeline, frame, history.before, executor, into);
 
+        for (std::size_t i = 0; i <= last; ++i) check_frame<P>(window[i]); // an error of what is given changes nothing
         Unfinished unfinished(history);
         auto const accumulated = accumulate(denoiser.pipeline, frame, history.before, executor);
         history.after.forget();

@@ -34,6 +34,8 @@ template <class P, class Judge = OwnJudge> struct ByEvidence {
     using reads = decltype(typename P::reads{} | typename JudgePipeline::reads{}); ///< channels that the host must supply
     static constexpr MotionConvention motion_convention = P::motion_convention;    ///< what the host's motion vectors mean: see Supplied
     static constexpr bool needs_camera = P::needs_camera || JudgePipeline::needs_camera; ///< whether frame.camera must be set
+    static constexpr bool checks_jitter =
+        P::checks_jitter || JudgePipeline::checks_jitter; ///< whether frame.camera.jitter must be in range
     /// @cond
     using Choice = Pipeline<FirstEstimate<Output::components>, Spatial<ChooseByEvidence<Output>>>;
     /// @endcond

@@ -11,7 +11,7 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// Images of the frame's size, or fractions of it, that passes take and give back. An image without handles is free for the next pass.
-/// After the second frame nothing is allocated. What one frame leaves for the next is held apart from it, in FrameState.
+/// Once all frames that are kept are there, nothing is allocated. What one frame leaves for the next is held apart from it, in FrameState.
 class ImagePool {
     struct Entry {
         void const* type;
