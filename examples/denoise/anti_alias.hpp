@@ -5,7 +5,7 @@
 #include <quell/frame/frame.hpp>
 #include <quell/io/sequence_names.hpp>
 #include <quell/metrics/picture.hpp>
-#include <quell/resolve/anti_aliased.hpp>
+#include <quell/link/colours/anti_aliased.hpp>
 
 #include <memory>
 #include <optional>

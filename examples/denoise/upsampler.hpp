@@ -5,7 +5,7 @@
 #include <quell/io/channel_names.hpp>
 #include <quell/io/exr_image.hpp>
 #include <quell/metrics/picture.hpp>
-#include <quell/resolve/resolve.hpp>
+#include <quell/link/resolve/resolve.hpp>
 
 #include <memory>
 #include <string>
