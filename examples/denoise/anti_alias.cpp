@@ -1,4 +1,6 @@
 #include <denoise/anti_alias.hpp>
+#include <denoise/guide_images.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/light_split.hpp>
 
 #include <quell/execute/threads.hpp>
@@ -21,6 +23,7 @@ using Colours = ImageOf<Planar<>, Albedo>;
 Colours image_of(metrics::Picture const& picture) {
     Colours image(picture.size);
     auto const view = image.view();
+    LayoutChanges::add();
     auto pixel = picture.pixels.begin();
     for (int y = 0; y < picture.size.height; ++y)
         for (int x = 0; x < picture.size.width; ++x, ++pixel)
@@ -30,7 +33,7 @@ Colours image_of(metrics::Picture const& picture) {
 /// Whether pixels at edges show the mean of several samples' normals, which is shorter than 1.
 bool has_mixed_normals(io::ExrImage const& image, io::ChannelNames const& names) {
     Frame<Channels<Normal>> frame(image.size);
-    io::load_channels(Channels<Normal>{}, frame, image, names);
+    load_guides(Channels<Normal>{}, frame, image, names);
     auto const normals = frame[normal].view();
     auto const at = [&](int x, int y) { return glm::vec3(normals.get(0, x, y), normals.get(1, x, y), normals.get(2, x, y)); };
     int edges = 0, mixed = 0;
@@ -88,10 +91,10 @@ std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::S
     if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
     if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
     auto made = std::make_shared<FrameAround>(FrameAround{samples, Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
-    io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
+    load_guides(Channels<Depth, Motion>{}, made->guides, image, channels);
     if (is_still(made->guides[motion].view())) return nullptr;
     if (image.has_all(io::planes_of(Channels<MotionNext>{}, channels)))
-        io::load_channels(Channels<MotionNext>{}, made->guides, image, channels);
+        load_guides(Channels<MotionNext>{}, made->guides, image, channels);
     else { // frames after it are then not followed
         auto const view = made->guides[motion_next].view();
         for (int y = 0; y < image.size.height; ++y)
@@ -109,8 +112,12 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     if (!here || here->colours[colour].pixels.empty()) return std::nullopt;
     auto const size = here->guides.size;
     auto const colour_image = image_of(here->colours[colour]);
-    auto const light_image = image_of(
-        light != nullptr ? *light : metrics::Picture{size, std::vector<glm::vec3>(here->colours[colour].pixels.size(), glm::vec3(1.f))});
+    auto const light_image = [&] {
+        LayoutChanges::Of const of(signal);
+        return image_of(light != nullptr
+                            ? *light
+                            : metrics::Picture{size, std::vector<glm::vec3>(here->colours[colour].pixels.size(), glm::vec3(1.f))});
+    }();
     Colours to(size);
     std::deque<Colours> kept;
     auto policy = AntiAliased::of_samples(here->samples);
@@ -132,6 +139,8 @@ std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metric
     auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
                                                 std::span<ColouredFrame<> const>(those_before),
                                                 std::span<ColouredFrame<> const>(those_after), light_image.view(), to.view());
+    LayoutChanges::Of const of(signal);
+    LayoutChanges::add();
     metrics::Picture result{size, {}};
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)

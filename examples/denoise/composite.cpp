@@ -85,8 +85,7 @@ metrics::Picture read_reference(std::filesystem::path const& path, ReferenceName
     long long ignored = 0;
     std::vector<metrics::Picture> parts;
     return composite(
-        image, split, [&](std::size_t s) { return picture_of(image, io::sources_of(split.signals[s].channels, radiance), 0.f); }, ignored,
-        parts);
+        image, split, [&](std::size_t s) { return light_of(image, split.signals[s]); }, ignored, parts);
 }
 
 metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size) {

@@ -1,4 +1,5 @@
 #include <denoise/denoiser.hpp>
+#include <denoise/layout_changes.hpp>
 
 #include <library/resolved_denoiser.hpp>
 #include <library/stage.hpp>
@@ -91,6 +92,11 @@ void Denoiser::look_ahead(io::ExrImage const& image, io::ChannelNames const& nam
     LoadedFrame frame;
     if (!spare.empty()) frame = std::move(spare.back()), spare.pop_back();
     frame.load(way.channels, image, names, number);
+    for (std::size_t c = 0; c < way.channels.size(); ++c) {
+        auto const& name = way.channels[c].name;
+        if (frame.images.channels[c].data == nullptr) continue;
+        name.starts_with(radiance.name) || name == way.signal ? LayoutChanges::add() : LayoutChanges::add_guide(name);
+    }
     window.push_back(std::move(frame));
 }
 
@@ -118,6 +124,7 @@ std::pair<metrics::Picture, std::vector<float>> written(Extent size, int compone
         with_alpha.empty() ? reinterpret_cast<std::byte*>(picture.pixels.data()) : reinterpret_cast<std::byte*>(with_alpha.data());
     std::ptrdiff_t const pixel = components * static_cast<std::ptrdiff_t>(sizeof(float));
     write(quell_library::Image{.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * size.width});
+    if (!with_alpha.empty()) LayoutChanges::add();
     std::vector<float> alpha;
     for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], alpha.push_back(with_alpha[i].a);
     return {std::move(picture), std::move(alpha)};

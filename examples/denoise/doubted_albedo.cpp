@@ -1,5 +1,6 @@
 #include <denoise/doubted_albedo.hpp>
 #include <denoise/doubted_places.hpp>
+#include <denoise/guide_images.hpp>
 #include <denoise/light_split.hpp>
 
 #include <quell/core/real.hpp>
@@ -134,7 +135,7 @@ public:
     Moved(Grid const& g, io::ExrImage const& image, io::ChannelNames const& names) : grid(g) {
         if (!image.has_all(io::planes_of(Channels<Motion>{}, names))) return;
         vectors.emplace(image.size);
-        io::load_channels(Channels<Motion>{}, *vectors, image, names);
+        load_guides(Channels<Motion>{}, *vectors, image, names);
     }
     [[nodiscard]] std::optional<std::size_t> from(int x, int y) const {
         if (!vectors) return grid.index(x, y);

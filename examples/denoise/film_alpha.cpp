@@ -1,5 +1,6 @@
 #include <denoise/denoised_frame.hpp>
 #include <denoise/film_alpha.hpp>
+#include <denoise/guide_images.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/io/frame_image.hpp>
@@ -75,10 +76,10 @@ FilmContents contents_of(SeenFrame const& seen) { return seen.film.empty() ? eve
 FilmContents shown_next(FilmContents const& there, SeenFrame const& seen, SeenFrame const& next, io::ChannelNames const& names) {
     Frame<Channels<MotionNext>> vectors(seen.image.size);
     if (seen.image.has_all(io::planes_of(Channels<MotionNext>{}, names)))
-        io::load_channels(Channels<MotionNext>{}, vectors, seen.image, names);
+        load_guides(Channels<MotionNext>{}, vectors, seen.image, names);
     else if (Channels<Motion, Depth> constexpr back; next.image.has_all(io::planes_of(back, names))) {
         Frame<Channels<Motion, Depth>> inverted(next.image.size);
-        io::load_channels(back, inverted, next.image, names);
+        load_guides(back, inverted, next.image, names);
         invert_motion(vectors[motion_next].view(), inverted[motion].view(), inverted[depth].view());
     } else
         return FilmContents(there.size(), 0);
@@ -125,7 +126,7 @@ void FilmAlpha::clear_empty(DenoisedFrame& frame, FilmContents const& shown, io:
     if (!image.has_all(io::planes_of(Channels<Motion>{}, names))) past.clear();
     if (!shown.empty()) {
         Frame<Channels<Motion>> vectors(size);
-        if (!past.empty()) io::load_channels(Channels<Motion>{}, vectors, image, names);
+        if (!past.empty()) load_guides(Channels<Motion>{}, vectors, image, names);
         auto const before = past.empty() ? FilmContents(shown.size(), 0) : shown_where(past, size, vectors[motion].view());
         for (std::size_t i = 0; i < shown.size(); ++i) {
             auto const any = shown[i] | before[i];

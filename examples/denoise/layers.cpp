@@ -1,4 +1,5 @@
 #include <denoise/layers.hpp>
+#include <denoise/layout_changes.hpp>
 
 #include <quell/core/half.hpp>
 #include <quell/core/real.hpp>
@@ -45,6 +46,7 @@ float rounded(float value, io::SampleType type) {
 }
 
 std::vector<float> component_of(metrics::Picture const& picture, std::size_t c) {
+    if (c == 0) LayoutChanges::add();
     std::vector<float> values;
     values.reserve(picture.pixels.size());
     for (auto const& pixel : picture.pixels) values.push_back(pixel[static_cast<glm::length_t>(c)]);
@@ -237,6 +239,7 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io:
     for (auto const& name : picture) places.push_back(place_of(name, file, names, io::SampleType::half));
     add_up_exactly(frame, {places[0].type, places[1].type, places[2].type});
     std::size_t const different = picture[0] == picture[1] ? 1 : 3;
+    LayoutChanges::Of const of_picture("picture");
     for (std::size_t c = 0; c < different; ++c)
         if (layers.has_picture() || layers.keeps(name_of(places[c].part), places[c].name)) put(places[c], frame.picture, c);
     if (alpha && !frame.alpha.empty() && layers.has_picture())
@@ -247,8 +250,10 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io:
             put(place_of(name, file, names, io::SampleType::half), guide.values, c);
         }
     auto const signals = signal_channels(names);
-    for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)
+    for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s) {
+        LayoutChanges::Of const of(s < names.of_signals.size() ? names.of_signals[s].name : rest_name);
         for (std::size_t c = 0; c < 3; ++c) put(place_of(signals[s][c], file, names, io::SampleType::float32), frame.signals[s], c);
+    }
     return changes;
 }
 

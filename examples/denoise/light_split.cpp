@@ -1,4 +1,5 @@
 #include <denoise/guide_noise.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/light_split.hpp>
 #include <denoise/unlit_film.hpp>
 
@@ -55,7 +56,7 @@ struct Part {
 
 Part part_of(io::ExrImage const& image, io::SignalNames const& signal, bool by_albedo) {
     auto const light = io::sources_of(signal.channels, radiance), own = io::sources_of(signal.channels, albedo);
-    Part part{picture_of(image, light, 0.f), picture_of(image, signal.factor, 1.f), {image.size, {}}, {}, false, {}};
+    Part part{light_of(image, signal), picture_of(image, signal.factor, 1.f), {image.size, {}}, {}, false, {}};
     part.factor_is_none = signal.factor.empty();
     if (!signal.factor.empty())
         part.colour = part.factor;
@@ -121,14 +122,14 @@ public:
             result.added.clear();
         } else {
             for (std::size_t s = 0; s < parts.size() && has_less_light; ++s)
-                result.signals[s].channels.sources["radiance"] = put("signal " + std::to_string(s), parts[s].light);
+                put_light(result.signals[s], "signal " + std::to_string(s), parts[s].light);
             if (has_less_added) result.added = put("added", added);
             for (std::size_t s = 0; s < parts.size() && !rule.film.empty(); ++s) hide_factor(result.signals[s], parts[s], s);
         }
         auto last = names.of_signals[0];
         last.name = rest_name, last.factor.clear();
         last.channels.sources["albedo"] = ones();
-        if (has_rest) last.channels.sources["radiance"] = put(as_one ? "all" : "rest", rest);
+        if (has_rest) put_light(last, as_one ? "all" : "rest", rest);
         result.signals.push_back(std::move(last));
         result.active.push_back(has_rest);
         if (!rule.alpha.empty()) divide_alpha(result, as_one ? "quell:all.A" : "quell:rest.A");
@@ -294,6 +295,10 @@ private:
         has_rest = true;
     }
     std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture) { return put_picture(made, name, picture); }
+    void put_light(io::SignalNames& signal, std::string const& name, metrics::Picture const& light) {
+        LayoutChanges::Of const of(signal.name);
+        signal.channels.sources["radiance"] = put(name, light);
+    }
 };
 
 /// Whether there is one picture, which is not divided by anything and is all there is.
@@ -307,6 +312,7 @@ bool is_simple(io::SequenceNames const& names, SplitRule const& rule) {
 
 metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise) {
     if (sources.empty()) return {image.size, Pixels(image.pixels(), glm::vec3(otherwise))};
+    LayoutChanges::add();
     std::array<std::vector<float>, 3> components;
     for (std::size_t c = 0; c < 3; ++c) components[c] = io::component_of(image, sources[c]);
     metrics::Picture picture{image.size, Pixels(image.pixels())};
@@ -314,7 +320,13 @@ metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> c
     return picture;
 }
 
+metrics::Picture light_of(io::ExrImage const& image, io::SignalNames const& signal, float otherwise) {
+    LayoutChanges::Of const of(signal.name);
+    return picture_of(image, io::sources_of(signal.channels, radiance), otherwise);
+}
+
 std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, metrics::Picture const& picture) {
+    LayoutChanges::add();
     std::vector<io::Source> sources;
     for (int c = 0; c < 3; ++c) {
         io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = std::vector<float>(picture.pixels.size())};

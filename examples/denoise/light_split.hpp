@@ -80,6 +80,8 @@ inline constexpr auto rest_name = "rest";
 
 /// Three components as a picture; where there are no sources, `otherwise` everywhere.
 [[nodiscard]] metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise);
+/// The light of a signal.
+[[nodiscard]] metrics::Picture light_of(io::ExrImage const& image, io::SignalNames const& signal, float otherwise = 0.f);
 /// Puts a picture among planes, by names that begin with "quell:". Returns what reads it.
 [[nodiscard]] std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, metrics::Picture const& picture);
 

@@ -1,4 +1,5 @@
 #include <denoise/composite.hpp>
+#include <denoise/guide_images.hpp>
 #include <denoise/picture_refiner.hpp>
 #include <denoise/repeated_detail.hpp>
 
@@ -17,7 +18,7 @@ namespace {
 template <class Channel> std::optional<Frame<Channels<Channel>>> vectors_of(SeenFrame const& seen, io::ChannelNames const& names) {
     if (!seen.image.has_all(io::planes_of(Channels<Channel>{}, names))) return std::nullopt;
     std::optional<Frame<Channels<Channel>>> vectors(std::in_place, seen.image.size);
-    io::load_channels(Channels<Channel>{}, *vectors, seen.image, names);
+    load_guides(Channels<Channel>{}, *vectors, seen.image, names);
     return vectors;
 }
 
@@ -32,7 +33,7 @@ metrics::Picture detail_in(RepeatedDetail const& rule, SeenFrame const& seen, Li
     };
     for (std::size_t s = 0; s < signals; ++s) {
         if (colours[s].pixels.empty() || !light.active[s]) continue;
-        auto product = picture_of(seen.image, io::sources_of(light.signals[s].channels, radiance), 0.f);
+        auto product = light_of(seen.image, light.signals[s]);
         for (std::size_t i = 0; i < product.pixels.size(); ++i) product.pixels[i] *= colours[s].pixels[i];
         limit_detail(rule, as_one, product); // of few bright samples
         add(detail_of_colour(rule, colours[s], product));
@@ -83,7 +84,7 @@ metrics::Picture samples_of_picture(SeenFrame const& seen, io::ChannelNames cons
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     std::vector<bool> is_missing(seen.image.pixels());
     auto const samples_of = [&](std::size_t s) {
-        auto samples = picture_of(seen.image, io::sources_of(light.signals[s].channels, radiance), none);
+        auto samples = light_of(seen.image, light.signals[s], none);
         for (std::size_t i = 0; i < is_missing.size(); ++i)
             is_missing[i] = is_missing[i] || !quell::detail::is_light(vec3<float>(samples.pixels[i]));
         return samples;

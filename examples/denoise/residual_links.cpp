@@ -1,3 +1,5 @@
+#include <denoise/guide_images.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/light_split.hpp>
 #include <denoise/residual_links.hpp>
 
@@ -29,6 +31,7 @@ struct PictureView {
 };
 
 inline void fill(ImageView auto const& to, metrics::Picture const& from) {
+    LayoutChanges::add();
     auto pixel = from.pixels.begin();
     for (int y = 0; y < from.size.height; ++y)
         for (int x = 0; x < from.size.width; ++x, ++pixel)
@@ -83,7 +86,7 @@ std::optional<float> ResidualLinks::feed_back(io::ExrImage const& image, io::Cha
                                               ResidualFeedbackShares const& shares, metrics::Picture& light) {
     if (!image.has_all(io::planes_of(Channels<Normal, Depth>{}, names))) return std::nullopt;
     auto& link = link_of(feedback, image.size);
-    io::load_channels(Channels<Normal, Depth>{}, link.frame, image, names);
+    load_guides(Channels<Normal, Depth>{}, link.frame, image, names);
     link.take(picture_of(image, io::sources_of(names, radiance), none), light);
     link.run({.shares = shares}, threads, light);
     return link.history[noise_independence].get(0, 0, 0);
@@ -93,7 +96,7 @@ ResidualLinks::Refusal ResidualLinks::give_back_repeated(PictureOfSamples const&
                                                          PictureOfSamples const* after, metrics::Picture& picture) {
     auto const size = here.image.size;
     auto const give_back = [&](auto& link) {
-        io::load_channels(Channels<Motion>{}, link.frame, here.image, here.names);
+        load_guides(Channels<Motion>{}, link.frame, here.image, here.names);
         link.take(here.samples, here.denoised);
         link.frame.number = number;
         link.run({.samples = static_cast<float>(count)}, threads, picture);
@@ -106,7 +109,7 @@ ResidualLinks::Refusal ResidualLinks::give_back_repeated(PictureOfSamples const&
     };
     if (!here.image.has_all(io::planes_of(Channels<MotionNext>{}, here.names))) return give_back(link_of(alone, size));
     auto& link = link_of(with_next, size);
-    io::load_channels(Channels<MotionNext>{}, link.frame, here.image, here.names);
+    load_guides(Channels<MotionNext>{}, link.frame, here.image, here.names);
     metrics::Picture lacks{size, std::vector<glm::vec3>(here.image.pixels(), glm::vec3(none))};
     if (after != nullptr) {
         auto& lacking = link_of(next, size);

@@ -1,6 +1,7 @@
 #include <denoise/composite.hpp>
 #include <denoise/converted_history.hpp>
 #include <denoise/file_remedies.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
@@ -304,8 +305,10 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     for (auto& seen : window) {
         if (seen.number > number + frames.settings.later_frames) break; // it is there for its guides
         for (std::size_t s = 0; auto const& signal : frames.split(seen, as_one).signals)
-            if (auto const signal_number = s++; frames.split(seen, as_one).active[signal_number])
+            if (auto const signal_number = s++; frames.split(seen, as_one).active[signal_number]) {
+                LayoutChanges::Of const of(signal.name);
                 denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
+            }
         alpha.look_ahead(frames.settings.preset, frames.canvas_size(), frames.settings.threads, seen, frames.split(seen, as_one));
     }
     auto const& image = front.image;
@@ -319,6 +322,7 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     why.add_samples(front.said_samples, front.samples);
     auto const denoised_signal = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
+        LayoutChanges::Of const of(split.signals[s].name);
         auto* const choice = frames.settings.is_judged() && is_wanted ? choice_for(s) : nullptr;
         auto result = denoiser(s).denoise(image, channels, number, choice);
         auto const factor = why.is_gathered() ? picture_of(image, split.signals[s].factor, 1.f) : metrics::Picture{};
@@ -374,6 +378,7 @@ DenoisedFrame SequenceDenoiser::finished(DenoisedSignals& signals) {
     auto& seen = signals.seen;
     auto& frame = signals.frame;
     if (!signals.samples.pixels.empty()) {
+        LayoutChanges::Of const of("picture");
         Timed const timed(other_milliseconds);
         auto const& names = frames.guide_names();
         std::optional<PictureOfSamples> after;

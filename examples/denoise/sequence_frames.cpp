@@ -3,6 +3,7 @@
 #include <denoise/canvas.hpp>
 #include <denoise/film_alpha.hpp>
 #include <denoise/layers.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/map_file.hpp>
 #include <denoise/sample_count.hpp>
 #include <denoise/sequence_frames.hpp>
@@ -82,6 +83,7 @@ std::vector<std::string> SequenceFrames::planes(io::ExrListing const& file) cons
 
 SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
+    LayoutChanges::begin_frame();
     frame.said_samples = samples_in(file.listed, on_canvas);
     frame.samples = believed_samples(frame.image, on_canvas, frame.said_samples);
     auto empty = fill_empty_guides(frame.image, on_canvas);

@@ -1,3 +1,4 @@
+#include <denoise/guide_images.hpp>
 #include <denoise/guide_planes.hpp>
 #include <denoise/light_split.hpp>
 #include <denoise/untold_motion.hpp>
@@ -23,7 +24,7 @@ using Pixels = std::vector<std::size_t>;
 std::array<Pixels, 2> pixels_of_parts(io::ExrImage const& image, io::ChannelNames const& names) {
     std::array<Pixels, 2> parts;
     Frame<Channels<Depth>> frame(image.size);
-    io::load_channels(Channels<Depth>{}, frame, image, names);
+    load_guides(Channels<Depth>{}, frame, image, names);
     auto const view = frame[depth].view();
     std::size_t i = 0;
     for (int y = 0; y < image.size.height; ++y)
@@ -50,7 +51,7 @@ std::vector<float> shown_by(std::size_t part, io::ExrImage const& image, io::Seq
 /// Both components of a channel of vectors, in pixels of quell's convention.
 template <ChannelTag C> std::vector<glm::vec2> vectors_of(C channel, io::ExrImage const& image, io::ChannelNames const& names) {
     Frame<Channels<C>> frame(image.size);
-    io::load_channels(Channels<C>{}, frame, image, names);
+    load_guides(Channels<C>{}, frame, image, names);
     auto const view = frame[channel].view();
     std::vector<glm::vec2> vectors;
     for (int y = 0; y < image.size.height; ++y)

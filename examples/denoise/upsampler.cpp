@@ -1,3 +1,5 @@
+#include <denoise/guide_images.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/upsampler.hpp>
 
 #include <quell/core/real.hpp>
@@ -90,13 +92,15 @@ void Upsampler::next(io::ExrImage const& image, io::ChannelNames const& names, l
     auto const index = [&](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
     };
+    LayoutChanges::Of const of("picture");
+    LayoutChanges::add(), LayoutChanges::add(); // into the frame, and out of the history
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             frame[radiance].set(x, y, picture.pixels[index(x, y)]);
             if (!alpha.empty()) frame[visibility].set(x, y, alpha[index(x, y)]);
         }
     if (how.resolves()) {
-        io::load_channels(Channels<Depth, Motion>{}, frame, image, names);
+        load_guides(Channels<Depth, Motion>{}, frame, image, names);
     } else { // neither motion nor depth counts
         colours.forget();
         if (alphas) alphas->forget();

@@ -213,6 +213,7 @@ TEST_CASE("--json prints what was done as one object, where it failed too") {
     CHECK(good["missing_samples"] == 0);
     CHECK(good["milliseconds"].get<double>() > 0);
     CHECK(good["bytes_per_pixel"].get<double>() > 0);
+    CHECK(good["layout_changes"]["picture"].get<double>() > 0);
     CHECK(good["scores"].size() == 1);
     CHECK(good["scores"][0]["frame"] == 2);
     CHECK(good["mean"]["flip"] == good["scores"][0]["flip"]);
