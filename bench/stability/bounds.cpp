@@ -98,11 +98,11 @@ void sky(std::string const& name, Making const& making, Results& results) {
         if (preset.group == PresetGroup::blur || preset.name.find("blur") != preset.name.npos) continue; // what moves covers the sky
         for (bool const noisy_sky : {false, true}) {
             auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
-            auto const wanted = denoiser->denoise(even, {}, 0);
+            metrics::Picture const wanted = denoiser->denoise(even, {}, 0);
             std::mt19937 random(making.seed + 9);
             double farthest = 0;
             for (int i = 0; i < 16; ++i) {
-                auto const picture = denoiser->denoise(sky_frame(even, noisy_sky, random), {}, i + 100);
+                metrics::Picture const picture = denoiser->denoise(sky_frame(even, noisy_sky, random), {}, i + 100);
                 for (int y = 0; y < making.size.height; ++y)
                     for (int x = 0; x < making.size.width; ++x) {
                         bool const is_sky = x > making.size.width / 2, is_surface = x < making.size.width / 2;

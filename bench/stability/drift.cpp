@@ -44,7 +44,7 @@ Means means(std::string const& name, examples::Preset const& preset, std::vector
     auto const round = static_cast<int>(noisy.size());
     Means result;
     for (int i = 0; i < frames; ++i) {
-        auto const picture = denoiser->denoise(noisy[static_cast<std::size_t>(i % round)], {}, i);
+        metrics::Picture const picture = denoiser->denoise(noisy[static_cast<std::size_t>(i % round)], {}, i);
         if (i % round == round - 1) record(results.frames, name, preset.name, i, truth, dimmed(picture, part)); // of one noise each time
         bool const early = i >= 100 && i < 100 + counted, late = i >= frames - counted;
         if (!early && !late) continue;

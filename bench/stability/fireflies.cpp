@@ -59,7 +59,7 @@ void firefly(std::string const& name, Making const& making, Results& results) {
         double most = 0, usual = 0, base = 0;
         int alive = 0;
         for (int i = 0; i <= last; ++i) {
-            auto const picture = denoiser->denoise(i == flash ? lit : even, {}, i);
+            metrics::Picture const picture = denoiser->denoise(i == flash ? lit : even, {}, i);
             if (i >= flash - 1) record(results.frames, name, preset.name, i, truth, picture);
             if (i == flash - 1) usual = sum_of(picture), base = brightest(picture);
             if (i < flash) continue;
@@ -131,7 +131,7 @@ void energy(std::string const& name, Making const& making, Results& results) {
             auto const denoiser = examples::denoiser_of(preset, making.size, making.threads);
             double sum = 0;
             for (int i = 0; i < static_cast<int>(skew.frames.size()); ++i) {
-                auto const picture = denoiser->denoise(skew.frames[static_cast<std::size_t>(i)], {}, i);
+                metrics::Picture const picture = denoiser->denoise(skew.frames[static_cast<std::size_t>(i)], {}, i);
                 if (i >= settled) sum += sum_of(picture);
             }
             auto const mean = sum / static_cast<double>(skew.frames.size() - settled);

@@ -71,7 +71,7 @@ double spread(Method const& method, io::ExrImage const& even, Making const& maki
         auto frame = even;
         if (i == 4 || i == 8)
             for (auto const& each : signal_planes()) spoil(frame, each.name, 4, random);
-        auto const picture = denoiser->denoise(frame, {}, i);
+        metrics::Picture const picture = denoiser->denoise(frame, {}, i);
         if (i == 3) wanted = picture;
         if (i <= 3) continue;
         auto const found = extremes(picture, wanted);
@@ -97,7 +97,7 @@ Extremes burst(std::string const& name, Method const& method, io::ExrImage const
             for (auto const& each : even.planes) {
                 spoil(frame, each.name, is_light(each.name) ? 4 : no_numbers.size(), random);
             }
-        auto const picture = denoiser->denoise(frame, {}, i);
+        metrics::Picture const picture = denoiser->denoise(frame, {}, i);
         if (i == 3) wanted = picture;
         if (i >= 3) record(results.frames, name, method.name, i, wanted, picture);
         if (i <= 3) continue;

@@ -77,11 +77,11 @@ struct Watched {
         std::mt19937 random(making.seed + 11);
         for (int i = 0; i < frames; ++i) {
             auto frame = frame_of(painting, blank, i, random);
-            auto const picture = denoiser.denoise(frame, {}, i);
-            auto const denoised = plain.denoise(frame, {}, i);
+            metrics::Picture const picture = denoiser.denoise(frame, {}, i);
+            metrics::Picture const denoised = plain.denoise(frame, {}, i);
             for (std::size_t p = 0; p < denoised.pixels.size(); ++p)
                 for (int c = 0; auto const* const component : {"R", "G", "B"}) plane(frame, component)[p] = denoised.pixels[p][c++];
-            auto const by_itself = enlarging.denoise(frame, {}, 2LL * i);
+            metrics::Picture const by_itself = enlarging.denoise(frame, {}, 2LL * i);
             if (i < first) continue;
             truth.push_back(truth_of(painting, making.size, i)), resolved.push_back(picture), alone.push_back(by_itself);
         }

@@ -11,7 +11,7 @@ Pictures watch(examples::Preset const& preset, ScoredSequence const& sequence, M
     auto const denoiser = examples::denoiser_of(preset, sequence.size, threads);
     Pictures pictures;
     for (int i = sequence.first; i <= sequence.last(); ++i) {
-        auto picture = denoiser->denoise(sequence.frame(i), {}, memory.number(i));
+        metrics::Picture picture = denoiser->denoise(sequence.frame(i), {}, memory.number(i));
         if (i >= sequence.scored_from) pictures.push_back(std::move(picture));
     }
     return pictures;

@@ -14,7 +14,7 @@ namespace quell::examples {
 struct AccumulatedGuide {
     std::string name;                      ///< mean_albedo or mean_normal
     std::array<char const*, 3> components; ///< their names in files
-    metrics::Picture values;
+    LinearPicture values;
 };
 
 /// Whether a preset accumulates guides.
@@ -32,7 +32,8 @@ public:
     PictureGuides(Preset preset, int threads);
 
     /// The next frame's guides, from the planes of its light and colours. Planes are added to the image, whose names begin with "quell:".
-    [[nodiscard]] std::vector<AccumulatedGuide> next(io::ExrImage& image, io::SequenceNames const& names, long long number);
+    [[nodiscard]] std::vector<AccumulatedGuide> next(io::ExrImage& image, io::SequenceNames const& names, long long number,
+                                                     GuideImages& guides);
     void release_scratch();
     [[nodiscard]] double milliseconds() const { return denoiser ? denoiser->milliseconds() : 0.; }
     [[nodiscard]] double bytes_per_pixel() const { return denoiser ? denoiser->bytes_per_pixel() : 0.; }

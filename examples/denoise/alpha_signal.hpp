@@ -22,7 +22,7 @@ class AlphaSignal {
 
 public:
     /// Shows it a frame of the window, in order.
-    void look_ahead(Preset const& preset, Extent size, int threads, SeenFrame const& seen, LightSplit const& split);
+    void look_ahead(Preset const& preset, Extent size, int threads, SeenFrame& seen, LightSplit const& split);
     /// Alpha of a frame: what light carries, and beside it what is a signal of its own.
     /// @param with_light what light carries, as it was denoised
     /// @param given      the file's, which limits what filters make of it

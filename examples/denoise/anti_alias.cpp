@@ -1,14 +1,15 @@
 #include <denoise/anti_alias.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/light_split.hpp>
 
 #include <quell/execute/threads.hpp>
 #include <quell/io/frame_image.hpp>
 #include <quell/resolve/agreement.hpp>
+#include <quell/resolve/picture_brightness.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
 #include <limits>
 #include <map>
 #include <string_view>
@@ -16,26 +17,17 @@
 namespace quell::examples {
 
 namespace {
-using Colours = ImageOf<Planar<>, Albedo>;
-
-Colours image_of(metrics::Picture const& picture) {
-    Colours image(picture.size);
-    auto const view = image.view();
-    auto pixel = picture.pixels.begin();
-    for (int y = 0; y < picture.size.height; ++y)
-        for (int x = 0; x < picture.size.width; ++x, ++pixel)
-            for (int c = 0; c < 3; ++c) view.set(c, x, y, (*pixel)[c]);
-    return image;
+ColourImage image_of(io::ExrImage const& image, std::vector<io::Source> const& sources) {
+    if (sources.empty()) return std::nullopt;
+    LayoutChanges::add();
+    return quell::detail::in_planes<LinearView>(picture_of(image, sources, 0.f));
 }
 /// Whether pixels at edges show the mean of several samples' normals, which is shorter than 1.
-bool has_mixed_normals(io::ExrImage const& image, io::ChannelNames const& names) {
-    Frame<Channels<Normal>> frame(image.size);
-    io::load_channels(Channels<Normal>{}, frame, image, names);
-    auto const normals = frame[normal].view();
+bool has_mixed_normals(ViewOf<Planar<>, Normal> normals) {
     auto const at = [&](int x, int y) { return glm::vec3(normals.get(0, x, y), normals.get(1, x, y), normals.get(2, x, y)); };
     int edges = 0, mixed = 0;
-    for (int y = 0; y < image.size.height; ++y)
-        for (int x = 1; x + 1 < image.size.width; ++x) {
+    for (int y = 0; y < normals.size.height; ++y)
+        for (int x = 1; x + 1 < normals.size.width; ++x) {
             auto const left = at(x - 1, y), right = at(x + 1, y), here = at(x, y);
             if (!(glm::dot(left, right) < .9f * std::sqrt(glm::dot(left, left) * glm::dot(right, right)))) continue;
             ++edges;
@@ -51,16 +43,18 @@ bool is_still(ImageView auto const& motions) {
             if (motions.get(0, x, y) != 0.f || motions.get(1, x, y) != 0.f) return false;
     return true;
 }
-std::vector<glm::vec3> pixel_by_pixel(metrics::Picture const& colour, metrics::Picture const* light) {
-    auto product = colour.pixels;
-    for (std::size_t i = 0; i < product.size() && light != nullptr; ++i) product[i] *= light->pixels[i];
+LinearPicture pixel_by_pixel(ImageView auto const& colour, LinearView const& light) {
+    LinearPicture product(colour.size);
+    for (int y = 0; y < colour.size.height; ++y)
+        for (int x = 0; x < colour.size.width; ++x)
+            for (int c = 0; c < 3; ++c) product.target().set(c, x, y, colour.get(c, x, y) * light.get(c, x, y));
     return product;
 }
 /// Frames around are refused where they differ more from this one than neighbouring pixels do.
 /// @param agrees how far frames around count
 /// @param noise  which part of what neighbours differ by is noise
-void tell(StageAccount& why, std::string const& signal, ImageView auto const& agrees, float noise, std::vector<glm::vec3> const& before,
-          std::vector<glm::vec3> const& after) {
+void tell(StageAccount& why, std::string const& signal, ImageView auto const& agrees, float noise, LinearView const& before,
+          LinearView const& after) {
     std::vector<float> refused;
     double sum = 0;
     for (int y = 0; y < agrees.size.height; ++y)
@@ -83,61 +77,49 @@ std::vector<std::string> planes_of_frame_around(io::ExrListing const& file, io::
     return planes;
 }
 
-std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, int samples) {
-    auto const& channels = names.of_signals[0].channels;
-    if (samples < 1 || !image.has_all(io::planes_of(Channels<Depth, Motion, Normal>{}, channels))) return nullptr;
-    if (samples > 1 && !has_mixed_normals(image, channels)) return nullptr;
-    auto made = std::make_shared<FrameAround>(FrameAround{samples, Frame<Channels<Depth, Motion, MotionNext>>(image.size), {}});
-    io::load_channels(Channels<Depth, Motion>{}, made->guides, image, channels);
-    if (is_still(made->guides[motion].view())) return nullptr;
-    if (image.has_all(io::planes_of(Channels<MotionNext>{}, channels)))
-        io::load_channels(Channels<MotionNext>{}, made->guides, image, channels);
-    else { // frames after it are then not followed
-        auto const view = made->guides[motion_next].view();
-        for (int y = 0; y < image.size.height; ++y)
-            for (int x = 0; x < image.size.width; ++x)
-                for (int c = 0; c < 2; ++c) view.set(c, x, y, std::numeric_limits<float>::quiet_NaN());
-    }
-    for (auto const& signal : names.of_signals)
-        made->colours.push_back(signal.factor.empty() ? metrics::Picture{} : picture_of(image, signal.factor, 1.f));
-    made->colours.push_back(names.added.empty() ? metrics::Picture{} : picture_of(image, names.added, 0.f));
+std::shared_ptr<FrameAround const> frame_around(io::ExrImage const& image, io::SequenceNames const& names, int samples,
+                                                GuideImages& guides) {
+    auto const get = [&](auto channel) { return guides.get(channel.name, image, names.of_signals[0].channels); };
+    if (samples < 1) return nullptr;
+    auto const normals = get(normal);
+    auto made = std::make_shared<FrameAround>(FrameAround{samples, get(depth), get(motion), get(motion_next), {}});
+    if (!normals || !made->depth || !made->motion || is_still(made->motion->view(motion))) return nullptr;
+    if (samples > 1 && !has_mixed_normals(normals->view(normal))) return nullptr;
+    for (auto const& signal : names.of_signals) made->colours.push_back(image_of(image, signal.factor));
+    made->colours.push_back(image_of(image, names.added));
     return made;
 }
 
-std::optional<metrics::Picture> AntiAliasing::product(std::size_t colour, metrics::Picture const* light, std::string const& signal,
-                                                      StageAccount& why) const {
-    if (!here || here->colours[colour].pixels.empty()) return std::nullopt;
-    auto const size = here->guides.size;
-    auto const colour_image = image_of(here->colours[colour]);
-    auto const light_image = image_of(
-        light != nullptr ? *light : metrics::Picture{size, std::vector<glm::vec3>(here->colours[colour].pixels.size(), glm::vec3(1.f))});
-    Colours to(size);
-    std::deque<Colours> kept;
+std::optional<LinearPicture> AntiAliasing::product(std::size_t colour, LinearView const* given, std::string const& signal,
+                                                   StageAccount& why) const {
+    if (!here || !here->colours[colour]) return std::nullopt;
+    auto const size = here->depth->size;
+    auto const white = given == nullptr ? LinearPicture(size, 1.f) : LinearPicture();
+    LinearView const light = given == nullptr ? white.view() : *given;
+    LinearPicture result(size);
     auto policy = AntiAliased::of_samples(here->samples);
-    if (light != nullptr) policy.change = 0.f;
-    auto const views_of = [](FrameAround const& frame, Colours const& colours) {
-        return ColouredFrame<>{colours.view(), frame.guides[depth].view(), frame.guides[motion].view(), frame.guides[motion_next].view()};
+    if (given != nullptr) policy.change = 0.f;
+    auto const views_of = [colour](FrameAround const& frame) {
+        ColouredFrame<> seen{frame.colours[colour]->view(), frame.depth->view(depth), frame.motion->view(motion)};
+        seen.knows_next = frame.motion_next != nullptr; // else frames after it are not followed
+        if (seen.knows_next) seen.to_next = frame.motion_next->view(motion);
+        return seen;
     };
     auto const all_of = [&](auto const& frames) {
         std::vector<ColouredFrame<>> views;
         for (auto const& frame : frames) {
-            if (!frame || frame->colours[colour].pixels.empty()) break;
-            kept.push_back(image_of(frame->colours[colour]));
-            views.push_back(views_of(*frame, kept.back()));
+            if (!frame || !frame->colours[colour]) break;
+            views.push_back(views_of(*frame));
         }
         return views;
     };
     auto const those_before = all_of(before), those_after = all_of(after);
     Agreement const agreement{.samples = static_cast<float>(here->samples), .is_blurred = is_blurred};
-    auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here, colour_image),
+    auto const agrees = anti_alias_where_agreed(agreement, policy, Threads<>{.count = threads}, views_of(*here),
                                                 std::span<ColouredFrame<> const>(those_before),
-                                                std::span<ColouredFrame<> const>(those_after), light_image.view(), to.view());
-    metrics::Picture result{size, {}};
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
-            result.pixels.emplace_back(to.view().get(0, x, y), to.view().get(1, x, y), to.view().get(2, x, y));
+                                                std::span<ColouredFrame<> const>(those_after), light, result.target());
     tell(why, signal, agrees.view(), agreement.noise_share(),
-         why.is_gathered() ? pixel_by_pixel(here->colours[colour], light) : std::vector<glm::vec3>(), result.pixels);
+         why.is_gathered() ? pixel_by_pixel(here->colours[colour]->view(), light) : LinearPicture(), result);
     return result;
 }
 

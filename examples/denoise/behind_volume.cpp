@@ -13,7 +13,6 @@ namespace quell::examples {
 
 namespace {
 
-using Pixels = std::vector<glm::vec3>;
 constexpr int passes = 2;           ///< pixels from which guides come at most
 constexpr int around = 2;           ///< pixels in which a volume is looked for
 constexpr float fewest_hits = .02f; ///< part of the samples of which colours are taken
@@ -24,8 +23,7 @@ bool is_black(glm::vec3 const& p) { return !(p.x > 0.f || p.y > 0.f || p.z > 0.f
 /// Calls f(pixel) with those of the square around (x, y) that are in the image.
 template <class F> void for_each_around(Extent size, int x, int y, int radius, F&& f) {
     for (int j = std::max(y - radius, 0); j <= std::min(y + radius, size.height - 1); ++j)
-        for (int i = std::max(x - radius, 0); i <= std::min(x + radius, size.width - 1); ++i)
-            f(static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i));
+        for (int i = std::max(x - radius, 0); i <= std::min(x + radius, size.width - 1); ++i) f(index_of(size, i, j));
 }
 template <class F> void for_each_place(Extent size, F&& f) {
     std::size_t pixel = 0;
@@ -37,7 +35,7 @@ template <class F> void for_each_place(Extent size, F&& f) {
 class Behind {
     io::ExrImage& image;
     io::SequenceNames names;
-    Pixels volume, added;
+    ReadPicture volume, added;
     std::vector<float> depth;      ///< infinite: no surface
     std::vector<float> hits;       ///< part of the samples
     std::vector<bool> is_near;     ///< whether there is light of a volume around
@@ -94,25 +92,22 @@ class Behind {
         fill_guide(quell::depth, far_depth.data()), fill_guide(normal, far_normal.data());
         fill_guide(motion, nullptr), fill_guide(motion_next, nullptr), fill_guide(position, nullptr), fill_guide(instance, nullptr);
     }
-    /// Puts a picture among the planes. It is rounded as those that it stands for: what that explains is no light.
-    std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture, std::vector<io::Source> const& instead_of) {
-        auto const type = image[io::planes_of(instead_of).front()].type;
-        auto const first = image.planes.size();
-        auto sources = put_picture(image.planes, "behind " + name, picture);
-        for (auto i = first; i < image.planes.size(); ++i) image.planes[i].type = type;
-        return sources;
+    std::vector<io::Source> put(std::string const& name, LinearView const& picture, std::vector<io::Source> const& instead_of) {
+        return put_picture(image, "behind " + name, picture, instead_of);
     }
     /// The colour of what was hit, and light that comes from there through the volume.
     void divide(io::SignalNames& signal) {
         auto const mean = picture_of(image, signal.factor, 1.f);
-        auto colour = mean, light = picture_of(image, io::sources_of(signal.channels, radiance), 0.f);
+        auto const given_light = light_of(image, signal);
+        auto colour = LinearPicture(mean), light = given_light.in_place();
         for (std::size_t i = 0; i < hits.size(); ++i) {
+            light[i] = given_light[i];
             float const part = hits[from[i]];
             if (!is_near[i] || !(part > fewest_hits)) continue;
             for (int c = 0; c < 3; ++c) {
-                float const own = mean.pixels[i][c], whole = std::min(mean.pixels[from[i]][c] / part, std::max(own, 1.f));
+                float const own = mean.at(c, i), whole = std::min(mean.at(c, from[i]) / part, std::max(own, 1.f));
                 if (!is_finite(whole) || !(whole > 0.f)) continue;
-                colour.pixels[i][c] = whole, light.pixels[i][c] *= own / whole;
+                colour.at(c, i) = whole, light.at(c, i) *= own / whole;
             }
         }
         signal.factor = put("colour of " + signal.name, colour, signal.factor);
@@ -120,24 +115,28 @@ class Behind {
         signal.channels.sources["radiance"] = put("light of " + signal.name, light, given);
     }
     void add_to_volume(io::SignalNames& signal) {
-        auto light = volume, rest = added;
-        for (std::size_t i = 0; i < light.size(); ++i)
-            if (is_near[i] && all_finite(added[i])) light[i] += added[i], rest[i] = glm::vec3(0.f);
+        LinearPicture light(image.size), rest(image.size);
+        for (std::size_t i = 0; i < light.pixels(); ++i) {
+            bool const joins = is_near[i] && all_finite(added[i]);
+            light[i] = joins ? volume[i] + added[i] : volume[i], rest[i] = joins ? glm::vec3(0.f) : added[i];
+        }
         auto const given = io::sources_of(signal.channels, radiance);
-        signal.channels.sources["radiance"] = put("light of " + signal.name, {image.size, std::move(light)}, given);
-        if (!names.added.empty()) names.added = put("added", {image.size, std::move(rest)}, names.added);
+        signal.channels.sources["radiance"] = put("light of " + signal.name, light, given);
+        if (!names.added.empty()) names.added = put("added", rest, names.added);
     }
 
 public:
     Behind(io::ExrImage& frame, io::SequenceNames const& n, io::SignalNames const& of_volume)
-        : image(frame), names(n), volume(picture_of(frame, io::sources_of(of_volume.channels, radiance), 0.f).pixels),
-          added(picture_of(frame, n.added, 0.f).pixels), is_near(frame.pixels()), from(frame.pixels()) {
+        : image(frame), names(n), volume(light_of(frame, of_volume)), added(picture_of(frame, n.added, 0.f)), is_near(frame.pixels()),
+          from(frame.pixels()) {
         std::iota(from.begin(), from.end(), std::size_t{0});
         auto const& channels = names.of_signals[0].channels;
         depth = io::component_of(frame, io::sources_of(channels, quell::depth)[0]);
         for (auto& z : depth)
             if (z >= channels.miss_from || z <= channels.miss_to) z = std::numeric_limits<float>::infinity();
-        for (auto const& n3 : picture_of(frame, io::sources_of(channels, normal), 0.f).pixels) {
+        auto const normals = picture_of(frame, io::sources_of(channels, normal), 0.f);
+        for (std::size_t i = 0; i < normals.pixels(); ++i) {
+            auto const n3 = normals[i];
             float const length = std::sqrt(glm::dot(n3, n3));
             hits.push_back(is_finite(length) ? std::min(length, 1.f) : 0.f);
         }

@@ -12,12 +12,14 @@ namespace quell::examples {
 
 namespace {
 
-void drop_non_finite(metrics::Picture& picture, long long& missing) {
-    for (auto& p : picture.pixels) {
-        if (is_finite(p.x) && is_finite(p.y) && is_finite(p.z)) continue;
-        p = glm::vec3(0.f);
-        ++missing;
-    }
+/// A colour, or black where it is not finite, which is counted.
+glm::vec3 finite(glm::vec3 const& p, long long& missing) {
+    if (all_finite(p)) return p;
+    ++missing;
+    return glm::vec3(0.f);
+}
+void drop_non_finite(LinearPicture& picture, long long& missing) {
+    for (std::size_t i = 0; i < picture.pixels(); ++i) picture[i] = finite(picture[i], missing);
 }
 
 /// All planes of the picture itself, without guides.
@@ -40,56 +42,52 @@ io::SequenceNames names_of_reference(io::ExrListing const& file, ReferenceNames 
 
 } // namespace
 
-metrics::Picture composite(io::ExrImage const& image, LightSplit const& split, std::function<metrics::Picture(std::size_t)> const& signal,
-                           long long& missing, std::vector<metrics::Picture>& parts, Resolve const& resolve) {
+LinearPicture composite(io::ExrImage const& image, LightSplit const& split, std::function<ReadPicture(std::size_t)> const& signal,
+                        long long& missing, std::vector<LinearPicture>& parts, Resolve const& resolve) {
     parts.clear();
-    auto sum = picture_of(image, split.added, 0.f);
-    auto off = picture_of(image, {}, 0.f); // what anti-aliasing changes of what is added
-    if (resolve && !split.added.empty())
-        if (auto resolved = resolve(split.signals.size() - 1, nullptr)) {
-            off = *resolved;
-            for (std::size_t i = 0; i < off.pixels.size(); ++i) off.pixels[i] -= sum.pixels[i];
-            drop_non_finite(off, missing);
-            sum = std::move(*resolved);
-        }
-    drop_non_finite(sum, missing);
+    auto const added = picture_of(image, split.added, 0.f);
+    std::optional<LinearPicture> off; // what anti-aliasing changes of what is added
+    LinearPicture sum(image.size);
+    auto const anti_aliased = resolve && !split.added.empty() ? resolve(split.signals.size() - 1, nullptr) : std::nullopt;
+    if (anti_aliased) off.emplace(image.size);
+    for (std::size_t i = 0; i < sum.pixels(); ++i) {
+        if (off) (*off)[i] = finite((*anti_aliased)[i] - added[i], missing);
+        sum[i] = finite(anti_aliased ? (*anti_aliased)[i] : added[i], missing);
+    }
     for (std::size_t s = 0; s < split.signals.size(); ++s) {
-        auto& part = parts.emplace_back(split.active[s] ? signal(s) : picture_of(image, {}, 0.f));
-        if (!split.active[s]) continue;
-        if (resolve && !split.signals[s].factor.empty())
-            if (auto resolved = resolve(s, &part)) {
-                part = std::move(*resolved);
-                drop_non_finite(part, missing);
-                for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += part.pixels[i];
-                continue;
-            }
-        auto factor = picture_of(image, split.signals[s].factor, 1.f);
-        drop_non_finite(factor, missing);
-        for (std::size_t i = 0; i < sum.pixels.size(); ++i) {
-            part.pixels[i] *= factor.pixels[i];
-            sum.pixels[i] += part.pixels[i];
+        if (!split.active[s]) {
+            parts.emplace_back(image.size);
+            continue;
+        }
+        auto const light = signal(s);
+        auto const& of_factor = split.signals[s].factor;
+        auto resolved = resolve && !of_factor.empty() ? resolve(s, &light) : std::nullopt;
+        auto const factor = resolved ? ReadPicture() : picture_of(image, of_factor, 1.f);
+        auto& part = parts.emplace_back(resolved ? std::move(*resolved) : light.in_place());
+        for (std::size_t i = 0; i < sum.pixels(); ++i) {
+            part[i] = resolved ? finite(part[i], missing) : light[i] * finite(factor[i], missing);
+            sum[i] += part[i];
         }
     }
     drop_non_finite(sum, missing); // numbers that are finite can have a product that isn't
     // The parts and what the file adds are to make up the picture.
-    if (!parts.empty())
-        for (std::size_t i = 0; i < off.pixels.size(); ++i) parts.back().pixels[i] += off.pixels[i];
+    if (off && !parts.empty())
+        for (std::size_t k = 0; k < off->values.size(); ++k) parts.back().values[k] += off->values[k];
     return sum;
 }
 
-metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& any) {
+LinearPicture read_reference(std::filesystem::path const& path, ReferenceNames const& any) {
     io::ExrFile const file(path);
     auto const names = io::names_in_parts(names_of_reference(file, any), file);
     auto image = file.read(picture_planes(file, names));
     auto const split = split_light(image, names, {}, false);
     long long ignored = 0;
-    std::vector<metrics::Picture> parts;
+    std::vector<LinearPicture> parts;
     return composite(
-        image, split, [&](std::size_t s) { return picture_of(image, io::sources_of(split.signals[s].channels, radiance), 0.f); }, ignored,
-        parts);
+        image, split, [&](std::size_t s) { return light_of(image, split.signals[s]); }, ignored, parts);
 }
 
-metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size) {
+LinearPicture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size) {
     auto reference = read_reference(path, names);
     if (reference.size == size) return reference;
     throw Error(path.string(), "it is " + to_string(reference.size) + " but the frame is " + to_string(size),

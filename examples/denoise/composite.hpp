@@ -10,15 +10,15 @@
 namespace quell::examples {
 
 /// A signal's light times its factor, anti-aliased, or what is added (null: no light); none where they are multiplied pixel by pixel.
-using Resolve = std::function<std::optional<metrics::Picture>(std::size_t signal, metrics::Picture const* light)>;
+using Resolve = std::function<std::optional<LinearPicture>(std::size_t signal, LinearView const* light)>;
 
 /// The picture that the signals of a split make up: the sum of each times its factor, and of what is added. `signal(i)` is the i-th
 /// signal's picture, and is asked for where that signal has light. What isn't finite among factors, added parts and the sum counts as 0,
 /// and in `missing`.
 /// @param parts what each signal adds to it: its picture times its factor
-[[nodiscard]] metrics::Picture composite(io::ExrImage const& image, LightSplit const& split,
-                                         std::function<metrics::Picture(std::size_t)> const& signal, long long& missing,
-                                         std::vector<metrics::Picture>& parts, Resolve const& resolve = {});
+[[nodiscard]] LinearPicture composite(io::ExrImage const& image, LightSplit const& split,
+                                      std::function<ReadPicture(std::size_t)> const& signal, long long& missing,
+                                      std::vector<LinearPicture>& parts, Resolve const& resolve = {});
 
 /// How a converged frame's file may hold the picture.
 struct ReferenceNames {
@@ -33,9 +33,9 @@ struct ReferenceNames {
     }
 };
 /// A converged frame as a linear picture. @throws Error where it has none of these names
-[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names);
+[[nodiscard]] LinearPicture read_reference(std::filesystem::path const& path, ReferenceNames const& names);
 /// The same for frames of that size. @throws Error for another one
-[[nodiscard]] metrics::Picture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size);
+[[nodiscard]] LinearPicture read_reference(std::filesystem::path const& path, ReferenceNames const& names, Extent size);
 /// The frames that have one. @throws Error where none has
 [[nodiscard]] std::vector<long long> numbers_of_references(FramePattern const& references, FrameRange const& frames);
 

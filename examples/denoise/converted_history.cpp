@@ -46,7 +46,7 @@ std::optional<HistoryContents> whole_history(std::vector<std::optional<HistoryCo
     for (std::size_t s = 0; s < parts.size(); ++s) {
         if (!parts[s]) continue;
         auto part = *parts[s];
-        multiply(part, [&](std::size_t i) { return shares.colours[s].pixels[i]; });
+        multiply(part, [&](std::size_t i) { return shares.colours[s][i]; });
         if (!whole) {
             whole = std::move(part);
             continue;
@@ -58,19 +58,19 @@ std::optional<HistoryContents> whole_history(std::vector<std::optional<HistoryCo
             for (std::size_t i = 0; i < length->size(); ++i) (*length)[i] = std::min((*length)[i], (*plane(part, history_length.name))[i]);
     }
     if (!whole) return whole;
-    for (std::size_t i = 0; i < shares.added.pixels.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) whole->signal[c][i] += shares.added.pixels[i][static_cast<glm::length_t>(c)];
+    for (std::size_t i = 0; i < shares.added.pixels(); ++i)
+        for (int c = 0; c < 3; ++c) whole->signal[static_cast<std::size_t>(c)][i] += shares.added.at(c, i);
     if (alpha.size() == whole->signal[0].size()) whole->signal.resize(4), whole->signal[3] = alpha;
     return whole;
 }
 
 HistoryContents part_of_history(HistoryContents whole, SignalShares const& shares, std::size_t signal) {
     multiply(whole, [&](std::size_t i) {
-        auto const &share = shares.shares[signal].pixels[i], &colour = shares.colours[signal].pixels[i];
+        auto const share = shares.shares[signal][i], colour = shares.colours[signal][i];
         return share / glm::vec3(std::max(colour.x, darkest), std::max(colour.y, darkest), std::max(colour.z, darkest));
     });
     if (whole.signal.size() == 4)
-        for (std::size_t i = 0; i < whole.signal[3].size(); ++i) whole.signal[3][i] *= luminance(shares.shares[signal].pixels[i]);
+        for (std::size_t i = 0; i < whole.signal[3].size(); ++i) whole.signal[3][i] *= luminance(shares.shares[signal][i]);
     return whole;
 }
 

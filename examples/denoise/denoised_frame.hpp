@@ -1,9 +1,9 @@
 #pragma once
 
 #include <denoise/accumulated_guides.hpp>
+#include <denoise/linear_picture.hpp>
 
 #include <quell/execute/executor.hpp>
-#include <quell/metrics/picture.hpp>
 
 #include <array>
 #include <cstddef>
@@ -13,15 +13,11 @@ namespace quell::examples {
 
 /// A frame when it is denoised, with what lies outside of its display window.
 struct DenoisedFrame {
-    Region canvas;                         ///< what the pictures show, counted from the display window's corner
-    metrics::Picture picture;              ///< linear
-    std::vector<metrics::Picture> signals; ///< times their factors: what each adds to the picture
-    std::vector<float> alpha;              ///< of the film; empty where the files have none
-    std::vector<AccumulatedGuide> guides;  ///< where the preset accumulates them
-
-    /// What is added to the signals at a pixel, in order; zeros where some of it is not finite.
-    /// @param component from 0 to 2
-    void added_at(std::size_t pixel, int component, std::vector<float>& values) const;
+    Region canvas; ///< what the pictures show, counted from the display window's corner
+    LinearPicture picture;
+    std::vector<LinearPicture> signals;   ///< times their factors: what each adds to the picture
+    std::vector<float> alpha;             ///< of the film; empty where the files have none
+    std::vector<AccumulatedGuide> guides; ///< where the preset accumulates them
 
     /// A plane of the file that is added, and what it is multiplied by.
     struct Added {

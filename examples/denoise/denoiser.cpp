@@ -1,4 +1,5 @@
 #include <denoise/denoiser.hpp>
+#include <denoise/layout_changes.hpp>
 
 #include <library/resolved_denoiser.hpp>
 #include <library/stage.hpp>
@@ -86,23 +87,37 @@ std::vector<std::string> Denoiser::planes(io::ChannelNames const& names, bool op
     return all;
 }
 
-void Denoiser::look_ahead(io::ExrImage const& image, io::ChannelNames const& names, long long number) {
+void Denoiser::look_ahead(io::ExrImage const& image, io::ChannelNames const& names, long long number, GuideImages& guides) {
     if (!window.empty() && *window.back().images.number >= number) return;
-    LoadedFrame frame;
-    if (!spare.empty()) frame = std::move(spare.back()), spare.pop_back();
-    frame.load(way.channels, image, names, number);
+    Shown frame{{.size = image.size, .number = number}};
+    for (auto const& channel : way.channels) {
+        bool const is_there = image.has_all(planes_of(channel, names)), is_light = channel.name.starts_with(radiance.name);
+        LoadedChannelPointer loaded;
+        if (is_there && !is_light) loaded = guides.get(channel.name, image, names);
+        if (!loaded && (is_there || !channel.optional)) LayoutChanges::add(), loaded = load_channel(channel.name, image, names);
+        frame.images.channels.push_back(loaded ? loaded->image : quell_library::Image());
+        frame.channels.push_back(std::move(loaded));
+    }
+    if (auto const camera = io::camera_of(image)) frame.images.camera = *camera;
+    if (auto const shutter = io::shutter_of(image, names)) frame.images.shutter = *shutter;
     window.push_back(std::move(frame));
 }
 
-metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number, HistoryChoice* choice) {
+quell_library::Image Denoiser::seen(std::string_view channel) const {
+    auto const place = way.place_of(channel);
+    return place ? last.images.channels[*place] : quell_library::Image();
+}
+
+LinearPicture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number, HistoryChoice* choice) {
     if (way.needs_camera && !io::camera_of(image))
         throw Error(image.name, "it has no camera, which this preset needs",
                     "write the 4x4 attributes quell:view and quell:projection, or choose another preset");
-    while (!window.empty() && *window.front().images.number != number) drop_first();
-    if (window.empty()) look_ahead(image, names, number);
+    while (!window.empty() && *window.front().images.number != number) window.pop_front();
+    GuideImages guides;
+    if (window.empty()) look_ahead(image, names, number, guides);
     images.clear();
     for (auto const& frame : window) images.push_back(frame.images);
-    drop_first(); // its memory stays; an error must not leave it to be denoised again
+    last = std::move(window.front()), window.pop_front(); // an error must not leave it to be denoised again
     found = findings_in(images.front(), image, names.motion);
     size = images.front().size;
     return run_images(choice);
@@ -110,42 +125,42 @@ metrics::Picture Denoiser::denoise(io::ExrImage const& image, io::ChannelNames c
 
 namespace {
 
-/// A picture, and its alpha where it has four components, of what `write` writes.
-std::pair<metrics::Picture, std::vector<float>> written(Extent size, int components, auto const& write) {
-    metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
-    std::vector<glm::vec4> with_alpha(components == 4 ? picture.pixels.size() : 0);
-    auto* const to =
-        with_alpha.empty() ? reinterpret_cast<std::byte*>(picture.pixels.data()) : reinterpret_cast<std::byte*>(with_alpha.data());
-    std::ptrdiff_t const pixel = components * static_cast<std::ptrdiff_t>(sizeof(float));
-    write(quell_library::Image{.data = to, .component_stride = sizeof(float), .pixel_stride = pixel, .row_stride = pixel * size.width});
-    std::vector<float> alpha;
-    for (std::size_t i = 0; i < with_alpha.size(); ++i) picture.pixels[i] = with_alpha[i], alpha.push_back(with_alpha[i].a);
-    return {std::move(picture), std::move(alpha)};
+/// A picture of what `write` writes, and a plane of alpha behind it where there are four components.
+LinearPicture written(Extent size, int components, auto const& write) {
+    LinearPicture picture(size);
+    std::ptrdiff_t constexpr pixel = sizeof(float);
+    auto const row = pixel * size.width, plane = row * size.height;
+    picture.values.resize(static_cast<std::size_t>(components) * picture.pixels());
+    write(quell_library::Image{
+        .data = reinterpret_cast<std::byte*>(picture.values.data()), .component_stride = plane, .pixel_stride = pixel, .row_stride = row});
+    return picture;
 }
 
 } // namespace
 
 /// Denoises the first of `images`.
-metrics::Picture Denoiser::run_images(HistoryChoice* choice) {
-    auto [picture, alpha] = written(output.value_or(size), way.output_components, [&](quell_library::Image const& into) {
+LinearPicture Denoiser::run_images(HistoryChoice* choice) {
+    auto picture = written(output.value_or(size), way.output_components, [&](quell_library::Image const& into) {
         auto const begin = std::chrono::steady_clock::now();
         chosen_by = choice;
         code->run(images, into);
         taken += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     });
-    denoised_alpha = std::move(alpha);
-    return std::move(picture);
+    denoised_alpha.assign(picture.values.begin() + static_cast<std::ptrdiff_t>(3 * picture.pixels()), picture.values.end());
+    picture.values.resize(3 * picture.pixels());
+    return picture;
 }
 
-std::optional<metrics::Picture> Denoiser::estimate(std::function<bool(quell_library::Image const&)> const& copy) const {
+std::optional<LinearPicture> Denoiser::estimate(std::function<bool(quell_library::Image const&)> const& copy) const {
     bool is_there = false;
-    auto made = written(size, way.output_components, [&](auto const& into) { is_there = copy(into); }).first;
+    auto made = written(size, way.output_components, [&](auto const& into) { is_there = copy(into); });
+    made.values.resize(3 * made.pixels());
     return is_there ? std::optional(std::move(made)) : std::nullopt;
 }
-std::optional<metrics::Picture> Denoiser::alone(HistoryChoice& choice) const {
+std::optional<LinearPicture> Denoiser::alone(HistoryChoice& choice) const {
     return estimate([&](auto const& into) { return choice.copy_alone(into); });
 }
-std::optional<metrics::Picture> Denoiser::with_history(HistoryChoice& choice) const {
+std::optional<LinearPicture> Denoiser::with_history(HistoryChoice& choice) const {
     return estimate([&](auto const& into) { return choice.copy_with_history(into); });
 }
 
@@ -157,18 +172,12 @@ std::vector<std::string> Denoiser::guides() const {
     return names;
 }
 
-metrics::Picture Denoiser::guide(std::string const& name) {
-    metrics::Picture picture{size, std::vector<glm::vec3>(static_cast<std::size_t>(size.pixels()))};
-    std::ptrdiff_t constexpr pixel = sizeof(glm::vec3);
-    code->copy_guide(name, {.data = reinterpret_cast<std::byte*>(picture.pixels.data()),
-                            .component_stride = sizeof(float),
-                            .pixel_stride = pixel,
-                            .row_stride = pixel * size.width});
-    return picture;
+LinearPicture Denoiser::guide(std::string const& name) {
+    return written(size, 3, [&](auto const& into) { code->copy_guide(name, into); });
 }
 
 void Denoiser::release_scratch() {
-    window.clear(), spare.clear(), images.clear();
+    window.clear(), last = {}, images.clear();
     code->release_scratch();
     denoised_alpha = {};
 }

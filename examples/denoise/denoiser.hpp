@@ -1,12 +1,12 @@
 #pragma once
 
+#include <denoise/guide_images.hpp>
+#include <denoise/linear_picture.hpp>
 #include <library/history_choice.hpp>
-#include <library/loaded_frame.hpp>
 #include <library/own_threads.hpp>
 
 #include <quell/diagnose/cheap_diagnosis.hpp>
 #include <quell/diagnose/finding.hpp>
-#include <quell/metrics/picture.hpp>
 
 #include <chrono>
 #include <deque>
@@ -54,11 +54,10 @@ public:
     /// Whether each file must say where its camera is.
     [[nodiscard]] bool needs_camera() const { return way.needs_camera; }
     /// Shows it a frame that comes after those that it has seen, and will be denoised later.
-    void look_ahead(io::ExrImage const& image, io::ChannelNames const& names, long long number);
+    /// @param guides of the frame, for all denoisers
+    void look_ahead(io::ExrImage const& image, io::ChannelNames const& names, long long number, GuideImages& guides);
     /// Drops the frames that it was shown and has not denoised.
-    void drop_ahead() {
-        while (!window.empty()) drop_first();
-    }
+    void drop_ahead() { window.clear(); }
     /// From now on these of the stages that stand behind a preset are behind it.
     /// @param names of stages, of which others are left to whoever calls
     /// @throws Error where the preset can't have one
@@ -74,21 +73,25 @@ public:
     [[nodiscard]] bool has_debug_view(std::string const& view) const { return code->has_debug_view(view); }
     /// What a channel of DebugChannels shows of the last frame, by its name: none where it makes none.
     [[nodiscard]] std::vector<DebugImage> debug_images(std::string const& view) { return code->debug_images(view); }
-    /// The next frame, denoised: linear, row by row. Where its size is another one, history starts afresh.
+    /// The next frame, denoised. Where its size is another one, history starts afresh.
     /// @param choice of what denoisers of this way make with their history and without, which may serve several; null: with history
-    [[nodiscard]] metrics::Picture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number,
-                                           quell_library::HistoryChoice* choice = nullptr);
+    [[nodiscard]] LinearPicture denoise(io::ExrImage const& image, io::ChannelNames const& names, long long number,
+                                        quell_library::HistoryChoice* choice = nullptr);
     /// What the frame alone makes of the last one, where the choice had two estimates of it; without alpha.
-    [[nodiscard]] std::optional<metrics::Picture> alone(quell_library::HistoryChoice& choice) const;
+    [[nodiscard]] std::optional<LinearPicture> alone(quell_library::HistoryChoice& choice) const;
     /// What the last one is with its whole history, in the same way.
-    [[nodiscard]] std::optional<metrics::Picture> with_history(quell_library::HistoryChoice& choice) const;
+    [[nodiscard]] std::optional<LinearPicture> with_history(quell_library::HistoryChoice& choice) const;
     /// What puts together what denoisers of this way make of frames of this size.
     /// @param judge the way of the preset's judge, see judge_of()
     [[nodiscard]] std::unique_ptr<quell_library::HistoryChoice> make_choice(quell_library::Way const& judge);
+    /// A channel of the frame that it has denoised last, as it was read; without data where it was not.
+    [[nodiscard]] quell_library::Image seen(std::string_view channel) const;
+    /// The light of that frame.
+    [[nodiscard]] quell_library::Image seen_light() const { return seen(seen(radiance.name).data ? radiance.name : radiance_alpha.name); }
     /// Names of the guides that it accumulates with the light.
     [[nodiscard]] std::vector<std::string> guides() const;
     /// One of them, of the frame that it has denoised last.
-    [[nodiscard]] metrics::Picture guide(std::string const& name);
+    [[nodiscard]] LinearPicture guide(std::string const& name);
     /// Forgets all frames so far.
     void forget() { code->forget(); }
     /// What it remembers; nothing where that is nothing, or not of one signal.
@@ -113,11 +116,16 @@ private:
     quell_library::OwnThreads threads;
     std::unique_ptr<quell_library::CompiledDenoiser> code; ///< with what stands behind it
     quell_library::HistoryChoice* chosen_by = nullptr;     ///< of the frame that is denoised
-    std::deque<quell_library::LoadedFrame> window;         ///< frames that it was shown and has not denoised
-    std::vector<quell_library::LoadedFrame> spare;         ///< memory of frames that it has denoised
-    std::vector<quell_library::FrameImages> images;        ///< the window's
-    double taken = 0;                                      ///< milliseconds
-    bool looks = false;                                    ///< whether frames are looked at
+    /// A frame that it was shown.
+    struct Shown {
+        quell_library::FrameImages images{};
+        std::vector<LoadedChannelPointer> channels{}; ///< where these lie
+    };
+    std::deque<Shown> window;                       ///< frames that it has not denoised
+    Shown last;                                     ///< the frame that it has
+    std::vector<quell_library::FrameImages> images; ///< the window's
+    double taken = 0;                               ///< milliseconds
+    bool looks = false;                             ///< whether frames are looked at
     static constexpr int first_frames = 10;
     int to_check = 0; ///< frames that are still to be looked at at little cost
     CheapDiagnosis check;
@@ -128,9 +136,8 @@ private:
     [[nodiscard]] quell_library::Parallel parallel() {
         return {.run = quell_library::OwnThreads::run, .user = &threads, .threads = threads.count()};
     }
-    [[nodiscard]] metrics::Picture run_images(quell_library::HistoryChoice* choice);
-    [[nodiscard]] std::optional<metrics::Picture> estimate(std::function<bool(quell_library::Image const&)> const& copy) const;
-    void drop_first() { spare.push_back(std::move(window.front())), window.pop_front(); }
+    [[nodiscard]] LinearPicture run_images(quell_library::HistoryChoice* choice);
+    [[nodiscard]] std::optional<LinearPicture> estimate(std::function<bool(quell_library::Image const&)> const& copy) const;
     [[nodiscard]] std::vector<std::string> planes(io::ChannelNames const& names, bool optional) const;
     [[nodiscard]] std::vector<Finding> findings_in(quell_library::FrameImages const& frame, io::ExrImage const& image,
                                                    MotionConvention const& converted_from);

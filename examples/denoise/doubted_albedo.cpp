@@ -63,29 +63,17 @@ struct Signal {
 
 /// The light of a signal in one image.
 struct Light {
-    metrics::Picture light, colour; ///< as they are
-    Pixels part, divisor;           ///< light in the picture, and what it is divided by
+    ReadPicture light, colour; ///< as they are
+    Pixels part, divisor;      ///< light in the picture, and what it is divided by
 
     Light(io::ExrImage const& image, Signal const& signal)
-        : light(picture_of(image, signal.of_light, 0.f)), colour(picture_of(image, signal.of_colour, 1.f)), part(light.pixels),
-          divisor(colour.pixels) {
-        for (std::size_t i = 0; i < part.size(); ++i)
-            if (signal.has_factor())
-                part[i] *= divisor[i];
-            else
-                divisor[i] = divisor_of(divisor[i]);
+        : light(picture_of(image, signal.of_light, 0.f)), colour(picture_of(image, signal.of_colour, 1.f)) {
+        for (std::size_t i = 0; i < image.pixels(); ++i) {
+            part.push_back(signal.has_factor() ? light[i] * colour[i] : light[i]);
+            divisor.push_back(signal.has_factor() ? colour[i] : divisor_of(colour[i]));
+        }
     }
 };
-
-/// Puts a picture among the planes. It is rounded as those that it stands for: what that explains is no light.
-std::vector<io::Source> put(io::ExrImage& image, std::string const& name, metrics::Picture const& picture,
-                            std::vector<io::Source> const& instead_of) {
-    auto const type = image[io::planes_of(instead_of).front()].type;
-    auto const first = image.planes.size();
-    auto sources = put_picture(image.planes, name, picture);
-    for (auto i = first; i < image.planes.size(); ++i) image.planes[i].type = type;
-    return sources;
-}
 
 /// One pixel of so many along rows and columns.
 struct Grid {
@@ -94,12 +82,8 @@ struct Grid {
     Extent size{(whole.width + step - 1) / step, (whole.height + step - 1) / step};
 
     [[nodiscard]] std::size_t pixels() const { return static_cast<std::size_t>(size.pixels()); }
-    [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-    }
-    [[nodiscard]] std::size_t in_whole(int x, int y) const {
-        return static_cast<std::size_t>(y * step) * static_cast<std::size_t>(whole.width) + static_cast<std::size_t>(x * step);
-    }
+    [[nodiscard]] std::size_t index(int x, int y) const { return index_of(size, x, y); }
+    [[nodiscard]] std::size_t in_whole(int x, int y) const { return index_of(whole, x * step, y * step); }
     /// Calls f(x, y) with each place.
     void for_each(auto&& f) const {
         for (int y = 0; y < size.height; ++y)
@@ -128,17 +112,13 @@ struct Grid {
 /// Where each place of a grid was in the frame before: a place of the grid, or none. Without motion, where it is.
 class Moved {
     Grid const& grid;
-    std::optional<Frame<Channels<Motion>>> vectors;
+    LoadedChannelPointer vectors;
 
 public:
-    Moved(Grid const& g, io::ExrImage const& image, io::ChannelNames const& names) : grid(g) {
-        if (!image.has_all(io::planes_of(Channels<Motion>{}, names))) return;
-        vectors.emplace(image.size);
-        io::load_channels(Channels<Motion>{}, *vectors, image, names);
-    }
+    Moved(Grid const& g, LoadedChannelPointer v) : grid(g), vectors(std::move(v)) {}
     [[nodiscard]] std::optional<std::size_t> from(int x, int y) const {
         if (!vectors) return grid.index(x, y);
-        auto const view = (*vectors)[motion].view();
+        auto const view = vectors->view(motion);
         auto const steps = static_cast<float>(grid.step);
         auto const at = [&](int c, int place) {
             return std::round(static_cast<float>(place) + view.get(c, x * grid.step, y * grid.step) / steps);
@@ -175,13 +155,11 @@ void take_rim(std::vector<bool>& mask, Extent size, std::vector<float> const& de
         auto const before = mask;
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
-                auto const index = [&](int i, int j) {
-                    return static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i);
-                };
-                auto const here = index(x, y);
+                auto const here = index_of(size, x, y);
                 for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j)
                     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size.width - 1); ++i)
-                        if (before[index(i, j)] && std::abs(depth[index(i, j)] - depth[here]) <= of_one_thing * depth[here])
+                        if (auto const there = index_of(size, i, j);
+                            before[there] && std::abs(depth[there] - depth[here]) <= of_one_thing * depth[here])
                             mask[here] = true;
             }
     }
@@ -199,17 +177,16 @@ bool is_doubted_all_over(std::vector<AlbedoEvidence> const& evidence, std::vecto
 /// Puts constants in the place of a signal's colours, and light that makes the same picture with them.
 void replace(io::ExrImage& image, io::SignalNames& names, Signal const& signal, SurfaceLinks const& surfaces,
              std::vector<bool> const& mask) {
-    Light light(image, signal);
-    auto const given = light.divisor;
-    flatten(surfaces, mask, light.divisor);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        if (!mask[i]) continue;
-        if (signal.has_factor()) light.light.pixels[i] *= light.colour.pixels[i] / light.divisor[i];
-        light.colour.pixels[i] = light.divisor[i];
+    Light given(image, signal);
+    flatten(surfaces, mask, given.divisor);
+    auto light = given.light.in_place(), colour = given.colour.in_place();
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        light[i] = mask[i] && signal.has_factor() ? given.light[i] * (given.colour[i] / given.divisor[i]) : given.light[i];
+        colour[i] = mask[i] ? given.divisor[i] : given.colour[i];
     }
     auto& sources = names.channels.sources;
-    (signal.has_factor() ? names.factor : sources["albedo"]) = put(image, "colour for " + names.name, light.colour, signal.of_colour);
-    if (signal.has_factor()) sources["radiance"] = put(image, "light for " + names.name, light.light, signal.of_light);
+    (signal.has_factor() ? names.factor : sources["albedo"]) = put_picture(image, "colour for " + names.name, colour, signal.of_colour);
+    if (signal.has_factor()) sources["radiance"] = put_picture(image, "light for " + names.name, light, signal.of_light);
 }
 
 } // namespace
@@ -221,13 +198,13 @@ DoubtedAlbedo::Known const* DoubtedAlbedo::find(long long number, Extent size) c
 }
 
 std::optional<io::SequenceNames> DoubtedAlbedo::names_for(io::ExrImage& image, io::SequenceNames const& names, bool by_albedo,
-                                                          long long number) {
+                                                          long long number, GuideImages& images) {
     auto const guides = surface_guides_in(image, names.of_signals[0].channels);
     if (!guides) return std::nullopt;
     Grid const grid{image.size, step_of(image.size)};
     auto const small_guides = grid.of(*guides);
     SurfaceLinks const small_surfaces(grid.size, small_guides);
-    Moved const moved(grid, image, names.of_signals[0].channels);
+    Moved const moved(grid, images.get(motion.name, image, names.of_signals[0].channels));
     auto const* const before = find(number - 1, grid.size);
     Known now{number, grid.size, small_guides.depth, {}};
     std::optional<SurfaceLinks> surfaces;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <denoise/albedo_evidence.hpp>
+#include <denoise/guide_images.hpp>
 
 #include <quell/io/exr_image.hpp>
 #include <quell/io/sequence_names.hpp>
@@ -21,9 +22,10 @@ class DoubtedAlbedo {
 public:
     /// A frame. Planes are added to it, whose names begin with "quell:".
     /// @param by_albedo whether signals are divided by their albedo before they are denoised
+    /// @param guides    the frame's
     /// @return the names of the frame as it is to be read; none where every albedo is believed
     [[nodiscard]] std::optional<io::SequenceNames> names_for(io::ExrImage& image, io::SequenceNames const& names, bool by_albedo,
-                                                             long long number);
+                                                             long long number, GuideImages& guides);
     /// One sentence, where an albedo was not believed in one of the frames.
     [[nodiscard]] std::vector<std::string> remarks() const;
 

@@ -112,7 +112,7 @@ EmptyGuides fill_empty_guides(io::ExrImage& image, io::SequenceNames const& name
 bool fill_noisy_normals(io::ExrImage& image, io::SequenceNames const& names) {
     auto const guides = surface_guides_in(image, names.of_signals[0].channels);
     if (!guides || !are_normals_rough(image.size, *guides)) return false;
-    if (do_normals_explain(image.size, *guides, whole_picture(image, names).pixels)) return false;
+    if (do_normals_explain(image.size, *guides, whole_picture(image, names))) return false;
     for (auto const& signal : names.of_signals) Guides(image, signal.channels).flatten_normals();
     return true;
 }

@@ -12,10 +12,6 @@ namespace quell::examples {
 
 namespace {
 
-std::size_t index_of(Extent size, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-}
-
 /// The least or the greatest within `radius` pixels, by rows and then by columns. What is not finite counts as 0.
 std::vector<float> extreme_within(std::vector<float> values, Extent size, int radius, auto const& better) {
     for (auto& value : values) value = is_finite(value) ? value : 0.f;
@@ -72,17 +68,13 @@ FilmContents everything(std::size_t pixels) { return FilmContents(pixels, shows_
 FilmContents contents_of(SeenFrame const& seen) { return seen.film.empty() ? everything(seen.image.pixels()) : seen.film; }
 
 /// What a frame's pixels find in the next one, by the vectors that a denoiser of later frames goes by.
-FilmContents shown_next(FilmContents const& there, SeenFrame const& seen, SeenFrame const& next, io::ChannelNames const& names) {
-    Frame<Channels<MotionNext>> vectors(seen.image.size);
-    if (seen.image.has_all(io::planes_of(Channels<MotionNext>{}, names)))
-        io::load_channels(Channels<MotionNext>{}, vectors, seen.image, names);
-    else if (Channels<Motion, Depth> constexpr back; next.image.has_all(io::planes_of(back, names))) {
-        Frame<Channels<Motion, Depth>> inverted(next.image.size);
-        io::load_channels(back, inverted, next.image, names);
-        invert_motion(vectors[motion_next].view(), inverted[motion].view(), inverted[depth].view());
-    } else
-        return FilmContents(there.size(), 0);
-    return shown_where(there, seen.image.size, vectors[motion_next].view());
+FilmContents shown_next(FilmContents const& there, SeenFrame& seen, SeenFrame& next, io::ChannelNames const& names) {
+    if (auto const vectors = seen.guide(motion_next, names)) return shown_where(there, seen.image.size, vectors->view(motion_next));
+    auto const back = next.guide(motion, names), depths = next.guide(depth, names);
+    if (!back || !depths) return FilmContents(there.size(), 0);
+    ImageOf<Planar<>, MotionNext> const vectors(seen.image.size);
+    invert_motion(vectors.view(), back->view(motion), depths->view(depth));
+    return shown_where(there, seen.image.size, vectors.view());
 }
 
 } // namespace
@@ -94,19 +86,19 @@ void limit_alpha(std::vector<float>& denoised, std::vector<float> const& alpha, 
     for (std::size_t i = 0; i < denoised.size(); ++i) denoised[i] = std::clamp(denoised[i], least[i], most[i]);
 }
 
-FilmContents film_contents(std::vector<glm::vec3> const& colours, std::vector<float> const& alpha) {
+FilmContents film_contents(LinearView const& colours, std::vector<float> const& alpha) {
     FilmContents contents;
     contents.reserve(alpha.size());
     auto const is_something = [](float a) { return a != 0.f && is_finite(a); };
     for (std::size_t i = 0; i < alpha.size(); ++i) {
-        auto const& c = colours[i];
+        auto const c = colours[i];
         contents.push_back(static_cast<FilmContent>((is_something(c.x) || is_something(c.y) || is_something(c.z) ? shows_light : 0) |
                                                     (is_something(alpha[i]) ? shows_alpha : 0)));
     }
     return contents;
 }
 
-FilmContents shown_from_now_on(std::deque<SeenFrame> const& window, int later, io::ChannelNames const& names) {
+FilmContents shown_from_now_on(std::deque<SeenFrame>& window, int later, io::ChannelNames const& names) {
     auto const& seen = window.front();
     auto shown = shown_around(contents_of(seen), seen.image.size);
     FilmContents ahead(shown.size(), 0); // in the frames after the k-th
@@ -119,23 +111,21 @@ FilmContents shown_from_now_on(std::deque<SeenFrame> const& window, int later, i
     return shown;
 }
 
-void FilmAlpha::clear_empty(DenoisedFrame& frame, FilmContents const& shown, io::ExrImage const& image, io::ChannelNames const& names) {
+void FilmAlpha::clear_empty(DenoisedFrame& frame, FilmContents const& shown, LoadedChannelPointer const& vectors) {
     if (!(size == frame.picture.size)) past.clear();
     size = frame.picture.size;
-    if (!image.has_all(io::planes_of(Channels<Motion>{}, names))) past.clear();
+    if (!vectors) past.clear();
     if (!shown.empty()) {
-        Frame<Channels<Motion>> vectors(size);
-        if (!past.empty()) io::load_channels(Channels<Motion>{}, vectors, image, names);
-        auto const before = past.empty() ? FilmContents(shown.size(), 0) : shown_where(past, size, vectors[motion].view());
+        auto const before = past.empty() ? FilmContents(shown.size(), 0) : shown_where(past, size, vectors->view(motion));
         for (std::size_t i = 0; i < shown.size(); ++i) {
             auto const any = shown[i] | before[i];
             if ((any & shows_alpha) == 0) frame.alpha[i] = 0.f;
             if (any != 0) continue;
-            frame.picture.pixels[i] = glm::vec3(0.f);
-            for (auto& signal : frame.signals) signal.pixels[i] = glm::vec3(0.f);
+            frame.picture[i] = glm::vec3(0.f);
+            for (auto& signal : frame.signals) signal[i] = glm::vec3(0.f);
         }
     }
-    past = film_contents(frame.picture.pixels, frame.alpha);
+    past = film_contents(frame.picture, frame.alpha);
 }
 
 } // namespace quell::examples

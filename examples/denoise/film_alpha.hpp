@@ -15,13 +15,13 @@ struct DenoisedFrame;
 void limit_alpha(std::vector<float>& denoised, std::vector<float> const& alpha, Extent size);
 
 /// What a transparent film shows in a frame of these colours and this alpha.
-[[nodiscard]] FilmContents film_contents(std::vector<glm::vec3> const& colours, std::vector<float> const& alpha);
+[[nodiscard]] FilmContents film_contents(LinearView const& colours, std::vector<float> const& alpha);
 
 /// What a frame of a window, which is its first, shows in the 3x3 around each pixel, and the frames after it in the places that they lead
 /// to. Nothing else of this frame and of later ones has a part in the pixel but by filters, which spread light.
 /// @param later how many frames after it
 /// @param names by which motion and depth are read
-[[nodiscard]] FilmContents shown_from_now_on(std::deque<SeenFrame> const& window, int later, io::ChannelNames const& names);
+[[nodiscard]] FilmContents shown_from_now_on(std::deque<SeenFrame>& window, int later, io::ChannelNames const& names);
 
 /// Keeps empty what a transparent film shows nothing in. Filters spread light and alpha from farther away. What is not finite counts as
 /// nothing.
@@ -34,8 +34,8 @@ public:
     /// shown over alpha 0, as of flames, alpha is 0 still.
     /// @param frame its alpha is that of the file, or the denoised one
     /// @param shown of the frame: see shown_from_now_on(); empty: an opaque film
-    /// @param names by which its motion is read: a file that has none has no history
-    void clear_empty(DenoisedFrame& frame, FilmContents const& shown, io::ExrImage const& image, io::ChannelNames const& names);
+    /// @param vectors its motion; null: it has no history
+    void clear_empty(DenoisedFrame& frame, FilmContents const& shown, LoadedChannelPointer const& vectors);
     void forget() { past.clear(); }
 };
 

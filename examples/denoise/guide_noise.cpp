@@ -18,8 +18,6 @@ constexpr int windows_wanted = 8192; ///< more of them say nothing more
 /// A part's noise counts so often: the light that filters go by is noisier than the window says.
 constexpr float noise_of_filters = 4.f;
 
-bool is_usable(glm::vec3 const& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
-
 /// A window of a picture, whose values are multiplied by `factor`, and what lies around it as far as variograms reach.
 class Window {
     static constexpr int margin = 2;
@@ -44,22 +42,19 @@ class Window {
     }
 
 public:
-    Window(metrics::Picture const& of, int x0, int y0, glm::vec3 const& factor = glm::vec3(1.f)) {
+    Window(LinearView const& of, int x0, int y0, glm::vec3 const& factor = glm::vec3(1.f)) {
         values.fill(glm::vec3(std::numeric_limits<float>::quiet_NaN()));
         int const first = std::max(x0 - margin, 0), last = std::min(x0 + window + margin, of.size.width);
-        for (int y = y0; y < std::min(y0 + rows, of.size.height); ++y) {
-            auto const row = static_cast<std::size_t>(y) * static_cast<std::size_t>(of.size.width);
+        for (int y = y0; y < std::min(y0 + rows, of.size.height); ++y)
             for (int x = first; x < last; ++x)
-                values[static_cast<std::size_t>((y - y0) * columns + x - x0 + margin)] =
-                    of.pixels[row + static_cast<std::size_t>(x)] * factor;
-        }
+                values[static_cast<std::size_t>((y - y0) * columns + x - x0 + margin)] = of[index_of(of.size, x, y)] * factor;
     }
 
     [[nodiscard]] glm::vec3 mean() const {
         glm::vec3 sum(0.f);
         float count = 0;
         for_each_pixel([&](int, int, glm::vec3 const& p) {
-            if (is_usable(p)) sum += p, ++count;
+            if (all_finite(p)) sum += p, ++count;
         });
         return count > 0.f ? sum / count : sum;
     }
@@ -67,7 +62,7 @@ public:
         auto const around = mean();
         float sum = 0, count = 0;
         for_each_pixel([&](int, int, glm::vec3 const& p) {
-            if (is_usable(p)) sum += luminance((p - around) * (p - around)), ++count;
+            if (all_finite(p)) sum += luminance((p - around) * (p - around)), ++count;
         });
         return count > 0.f ? sum / count : 0.f;
     }
@@ -86,7 +81,7 @@ public:
 bool is_scattered(std::vector<float> const& depth, Extent size, int x0, int y0) {
     constexpr float smooth = 3e-7f;
     auto const inverse = [&](int x, int y) {
-        float const z = depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)];
+        float const z = depth[index_of(size, x, y)];
         return is_finite(z) && z > 0.f && z < 1e9f ? 1.f / z : 0.f;
     };
     float least = std::numeric_limits<float>::max(), all = 0, pixels = 0;
@@ -120,7 +115,7 @@ glm::vec3 light_of(glm::vec3 const& part, glm::vec3 const& colour) {
 
 } // namespace
 
-GuideErrors guide_errors(metrics::Picture const& guide, GuideKind kind, metrics::Picture const& part, metrics::Picture const& whole,
+GuideErrors guide_errors(LinearView const& guide, GuideKind kind, LinearView const& part, LinearView const& whole,
                          std::vector<float> const& depth) {
     float usual = 0, count = 0;
     for_each_window(whole.size, [&](int x, int y) { usual += std::max(luminance(Window(whole, x, y).mean()), 0.f), ++count; });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/metrics/picture.hpp>
+#include <denoise/linear_picture.hpp>
 
 namespace quell::examples {
 
@@ -27,7 +27,7 @@ enum class GuideKind {
 /// @param depth of the frame; empty: not known
 /// @param part  the light with the guide in it
 /// @param whole the whole picture: says how visible errors are
-[[nodiscard]] GuideErrors guide_errors(metrics::Picture const& guide, GuideKind kind, metrics::Picture const& part,
-                                       metrics::Picture const& whole, std::vector<float> const& depth);
+[[nodiscard]] GuideErrors guide_errors(LinearView const& guide, GuideKind kind, LinearView const& part, LinearView const& whole,
+                                       std::vector<float> const& depth);
 
 } // namespace quell::examples

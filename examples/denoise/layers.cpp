@@ -1,4 +1,5 @@
 #include <denoise/layers.hpp>
+#include <denoise/layout_changes.hpp>
 
 #include <quell/core/half.hpp>
 #include <quell/core/real.hpp>
@@ -44,11 +45,14 @@ float rounded(float value, io::SampleType type) {
     return type == io::SampleType::half ? float_from_half(io::detail::stored_half(value)) : value;
 }
 
-std::vector<float> component_of(metrics::Picture const& picture, std::size_t c) {
-    std::vector<float> values;
-    values.reserve(picture.pixels.size());
-    for (auto const& pixel : picture.pixels) values.push_back(pixel[static_cast<glm::length_t>(c)]);
-    return values;
+/// What is added to the signals at a pixel, in order; nothing where some of it is not finite.
+void find_added(DenoisedFrame const& frame, std::size_t pixel, int component, std::vector<float>& values) {
+    values.clear();
+    for (auto const& planes : frame.added)
+        for (auto const& plane : planes)
+            if (!is_finite((*plane.values)[pixel])) return;
+    for (auto const& plane : frame.added[static_cast<std::size_t>(component)])
+        values.push_back((*plane.values)[pixel] * plane.scale + plane.offset);
 }
 
 struct Place {
@@ -162,21 +166,21 @@ std::vector<ChannelTriple> signal_channels(io::SequenceNames const& names) {
 void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& type) {
     std::vector<float> added;
     for (int c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < frame.picture.pixels.size(); ++i) {
-            auto& whole = frame.picture.pixels[i][c];
+        for (std::size_t i = 0; i < frame.picture.pixels(); ++i) {
+            auto& whole = frame.picture.at(c, i);
             whole = rounded(whole, type[static_cast<std::size_t>(c)]);
             if (frame.signals.empty()) continue;
-            frame.added_at(i, c, added);
+            find_added(frame, i, c, added);
             auto const sum_as_read = [&] {
                 float all = 0;
-                for (auto const& signal : frame.signals) all += signal.pixels[i][c];
+                for (auto const& signal : frame.signals) all += signal.at(c, i);
                 for (auto const value : added) all += value;
                 return all;
             };
-            auto* strongest = &frame.signals[0].pixels[i][c];
+            auto* strongest = &frame.signals[0].at(c, i);
             double rest = 0;
             for (auto& signal : frame.signals) {
-                auto& part = signal.pixels[i][c];
+                auto& part = signal.at(c, i);
                 if (!is_finite(part)) part = 0.f;
                 rest += static_cast<double>(part);
                 if (std::abs(part) > std::abs(*strongest)) strongest = &part;
@@ -196,7 +200,7 @@ void add_up_exactly(DenoisedFrame& frame, std::array<io::SampleType, 3> const& t
                 return false;
             };
             if (leads_there(*strongest)) continue;
-            if (std::ranges::any_of(frame.signals, [&](auto& signal) { return leads_there(signal.pixels[i][c]); })) continue;
+            if (std::ranges::any_of(frame.signals, [&](auto& signal) { return leads_there(signal.at(c, i)); })) continue;
             float const sum = sum_as_read();
             if (rounded(sum, type[static_cast<std::size_t>(c)]) == sum && std::abs(sum - whole) <= 1e-6f * std::abs(*strongest))
                 whole = sum;
@@ -230,13 +234,15 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io:
                                return layers.keeps(part, channel) || (layers.has_picture() && is_alpha); // it belongs to the picture
                            }};
     changes.guides = guides_in(file, names);
-    auto const put = [&](Place const& place, metrics::Picture const& of, std::size_t c) {
-        changes.numbers.push_back({place.part, place.name, place.type, component_of(of, c)});
+    auto const put = [&](Place const& place, LinearView const& of, std::size_t c) {
+        if (c == 0) LayoutChanges::add();
+        changes.numbers.push_back({place.part, place.name, place.type, {of.planes[c], of.planes[c] + of.pixels()}});
     };
     std::vector<Place> places;
     for (auto const& name : picture) places.push_back(place_of(name, file, names, io::SampleType::half));
     add_up_exactly(frame, {places[0].type, places[1].type, places[2].type});
     std::size_t const different = picture[0] == picture[1] ? 1 : 3;
+    LayoutChanges::Of const of_picture("picture");
     for (std::size_t c = 0; c < different; ++c)
         if (layers.has_picture() || layers.keeps(name_of(places[c].part), places[c].name)) put(places[c], frame.picture, c);
     if (alpha && !frame.alpha.empty() && layers.has_picture())
@@ -247,8 +253,10 @@ io::ExrChanges changes_for(DenoisedFrame& frame, io::ExrListing const& file, io:
             put(place_of(name, file, names, io::SampleType::half), guide.values, c);
         }
     auto const signals = signal_channels(names);
-    for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s)
+    for (std::size_t s = 0; s < signals.size() && layers.has_signals(); ++s) {
+        LayoutChanges::Of const of(s < names.of_signals.size() ? names.of_signals[s].name : rest_name);
         for (std::size_t c = 0; c < 3; ++c) put(place_of(signals[s][c], file, names, io::SampleType::float32), frame.signals[s], c);
+    }
     return changes;
 }
 

@@ -1,4 +1,5 @@
 #include <denoise/guide_noise.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/light_split.hpp>
 #include <denoise/unlit_film.hpp>
 
@@ -10,12 +11,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace quell::examples {
 
 namespace {
-
-using Pixels = std::vector<glm::vec3>;
 
 /// The noise of guides may be this part of what a filter would lose of their structure. Between 0.24, where renders with depth of field,
 /// fog, leaves and textures still had less error with guides as they are, and 0.26, where they had more (bench/cycles.sh).
@@ -25,10 +25,7 @@ constexpr float tolerated_noise = 0.25f;
 constexpr float tolerated_rest = 0.75f;
 
 std::vector<io::Source> ones() { return std::vector<io::Source>(3, io::Source{{}, 1.f}); }
-bool is_constant(std::vector<io::Source> const& sources) {
-    return std::ranges::all_of(sources, [](auto const& source) { return source.sum.empty(); });
-}
-bool is_usable(glm::vec3 const& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+bool is_constant(std::vector<io::Source> const& sources) { return io::planes_of(sources).empty(); }
 
 /// How far a number may be from what was stored.
 struct Rounding {
@@ -47,34 +44,38 @@ struct Rounding {
 
 /// A signal as a part of the picture: light times what it is multiplied by.
 struct Part {
-    metrics::Picture light, factor, picture;
-    metrics::Picture colour;     ///< that is taken as it is where the signal is denoised by itself; empty: none
-    bool factor_is_none = false; ///< whether the light is all
-    Pixels rounding;             ///< of the picture
+    ReadPicture light, factor;
+    LinearPicture picture;
+    ReadPicture colour{}; ///< that is taken as it is where the signal is denoised by itself; empty: none
+    LinearPicture less{}; ///< light that is scaled down; empty: it is not
+    Rounding of_light, of_factor;
+
+    /// Of a component of the picture.
+    [[nodiscard]] float rounding(int c, std::size_t i) const {
+        float const l = light.at(c, i), f = factor.at(c, i);
+        return std::abs(f) * of_light.of(l) + std::abs(l) * of_factor.of(f);
+    }
 };
 
 Part part_of(io::ExrImage const& image, io::SignalNames const& signal, bool by_albedo) {
     auto const light = io::sources_of(signal.channels, radiance), own = io::sources_of(signal.channels, albedo);
-    Part part{picture_of(image, light, 0.f), picture_of(image, signal.factor, 1.f), {image.size, {}}, {}, false, {}};
-    part.factor_is_none = signal.factor.empty();
+    Part part{.light = light_of(image, signal),
+              .factor = picture_of(image, signal.factor, 1.f),
+              .picture = LinearPicture(image.size),
+              .of_light = {image, light},
+              .of_factor = {image, signal.factor}};
     if (!signal.factor.empty())
         part.colour = part.factor;
     else if (by_albedo && !is_constant(own))
         part.colour = picture_of(image, own, 1.f);
-    Rounding const of_light(image, light), of_factor(image, signal.factor);
-    for (std::size_t i = 0; i < image.pixels(); ++i) {
-        auto const &l = part.light.pixels[i], &f = part.factor.pixels[i];
-        part.picture.pixels.push_back(l * f);
-        auto& error = part.rounding.emplace_back();
-        for (int c = 0; c < 3; ++c) error[c] = std::abs(f[c]) * of_light.of(l[c]) + std::abs(l[c]) * of_factor.of(f[c]);
-    }
+    for (std::size_t i = 0; i < image.pixels(); ++i) part.picture[i] = part.light[i] * part.factor[i];
     return part;
 }
 
 /// Mean over the (2 radius + 1)^2 pixels around each, as far as they are in the picture.
-metrics::Picture box_mean(metrics::Picture const& picture, int radius) {
-    auto const along = [radius](metrics::Picture const& from, bool rows) {
-        metrics::Picture to{from.size, Pixels(from.pixels.size())};
+LinearPicture box_mean(LinearView const& picture, int radius) {
+    auto const along = [radius](LinearView const& from, bool rows) {
+        LinearPicture to(from.size);
         int const length = rows ? from.size.width : from.size.height, lines = rows ? from.size.height : from.size.width;
         auto const index = [&](int line, int i) {
             return rows ? static_cast<std::size_t>(line) * static_cast<std::size_t>(from.size.width) + static_cast<std::size_t>(i)
@@ -84,8 +85,8 @@ metrics::Picture box_mean(metrics::Picture const& picture, int radius) {
             for (int i = 0; i < length; ++i) {
                 glm::vec3 sum(0.f);
                 int const first = std::max(i - radius, 0), last = std::min(i + radius, length - 1);
-                for (int j = first; j <= last; ++j) sum += from.pixels[index(line, j)];
-                to.pixels[index(line, i)] = sum / static_cast<float>(last - first + 1);
+                for (int j = first; j <= last; ++j) sum += from[index(line, j)];
+                to[index(line, i)] = sum / static_cast<float>(last - first + 1);
             }
         return to;
     };
@@ -98,19 +99,24 @@ class Splitting {
     io::SequenceNames const& names;
     SplitRule const& rule;
     std::vector<Part> parts;
-    metrics::Picture added, whole, rest;
+    LinearPicture added, rest;
+    ReadPicture whole;
     bool has_rest = false, has_less_light = false, has_less_added = false;
-    Pixels rounding; ///< of the sum
 
 public:
     std::vector<io::Plane> made; ///< of the split
 
     Splitting(io::ExrImage const& frame, io::SequenceNames const& n, SplitRule const& r)
-        : image(frame), names(n), rule(r),
-          added(picture_of(frame, n.added, 0.f)), rest{frame.size, Pixels(frame.pixels(), glm::vec3(0.f))} {
+        : image(frame), names(n), rule(r), added(picture_of(frame, n.added, 0.f)), rest(frame.size) {
         for (auto const& signal : names.of_signals) parts.push_back(part_of(image, signal, rule.by_albedo));
-        add_up();
-        if (knows_picture()) compare(picture_of(image, names.picture, 0.f));
+        LinearPicture sum(added);
+        for (auto const& part : parts)
+            for (std::size_t k = 0; k < sum.values.size(); ++k) sum.values[k] += part.picture.values[k];
+        whole = knows_picture() ? picture_of(image, names.picture, 0.f) : ReadPicture();
+        if (!whole.empty())
+            compare(sum);
+        else
+            whole = ReadPicture(std::move(sum));
     }
 
     LightSplit split(bool as_one) {
@@ -121,14 +127,14 @@ public:
             result.added.clear();
         } else {
             for (std::size_t s = 0; s < parts.size() && has_less_light; ++s)
-                result.signals[s].channels.sources["radiance"] = put("signal " + std::to_string(s), parts[s].light);
+                put_light(result.signals[s], "signal " + std::to_string(s), parts[s].less);
             if (has_less_added) result.added = put("added", added);
             for (std::size_t s = 0; s < parts.size() && !rule.film.empty(); ++s) hide_factor(result.signals[s], parts[s], s);
         }
         auto last = names.of_signals[0];
         last.name = rest_name, last.factor.clear();
         last.channels.sources["albedo"] = ones();
-        if (has_rest) last.channels.sources["radiance"] = put(as_one ? "all" : "rest", rest);
+        if (has_rest) put_light(last, as_one ? "all" : "rest", rest);
         result.signals.push_back(std::move(last));
         result.active.push_back(has_rest);
         if (!rule.alpha.empty()) divide_alpha(result, as_one ? "quell:all.A" : "quell:rest.A");
@@ -143,25 +149,24 @@ public:
         float noise = 0, loss = 0;
         auto const count = [&](GuideErrors const& errors) { noise += errors.noise, loss += errors.loss; };
         for (auto const& part : parts)
-            if (!part.colour.pixels.empty()) count(guide_errors(part.colour, GuideKind::factor, part.picture, whole, depth));
+            if (!part.colour.empty()) count(guide_errors(part.colour, GuideKind::factor, part.picture, whole, depth));
         if (!names.added.empty()) count(guide_errors(added, GuideKind::added, whole, whole, depth));
         float const of_rest = has_rest ? guide_errors(rest, GuideKind::added, rest, whole, {}).noise : 0.f;
         return noise > tolerated_noise * rule.samples_of_guides * loss || of_rest > tolerated_rest * loss;
     }
 
-    [[nodiscard]] metrics::Picture const& picture() const { return whole; }
+    [[nodiscard]] ReadPicture const& picture() const { return whole; }
 
     [[nodiscard]] SignalShares shares() const {
         constexpr int radius = 7, colour_radius = 2; // pixels: single samples don't say much of what the picture is made of
         SignalShares result;
         auto const all = box_mean(whole, radius);
-        metrics::Picture const none{image.size, Pixels(image.pixels(), glm::vec3(1.f))};
-        auto const add = [&](metrics::Picture const& colour, metrics::Picture const& light) {
-            result.colours.push_back(colour.pixels.empty() ? none : box_mean(colour, colour_radius));
+        LinearPicture const none(image.size, 1.f);
+        auto const add = [&](LinearView const& colour, LinearView const& light) {
+            result.colours.push_back(colour.empty() ? none : box_mean(colour, colour_radius));
             auto& share = result.shares.emplace_back(box_mean(light, radius));
-            for (std::size_t i = 0; i < share.pixels.size(); ++i)
-                for (int c = 0; c < 3; ++c)
-                    share.pixels[i][c] = all.pixels[i][c] > 0.f ? std::clamp(share.pixels[i][c] / all.pixels[i][c], 0.f, 1.f) : 0.f;
+            for (std::size_t k = 0; k < share.values.size(); ++k)
+                share.values[k] = all.values[k] > 0.f ? std::clamp(share.values[k] / all.values[k], 0.f, 1.f) : 0.f;
         };
         for (auto const& part : parts) add(part.colour, part.picture);
         add({}, rest);
@@ -171,58 +176,57 @@ public:
 
 private:
     [[nodiscard]] bool knows_picture() const { return !names.picture.empty() && image.has_all(io::planes_of(names.picture)); }
-    /// The sum of all parts, and how far rounding may take it from the picture.
-    void add_up() {
-        Rounding const of_added(image, names.added);
-        whole = added;
-        for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
-            auto& error = rounding.emplace_back();
-            for (int c = 0; c < 3; ++c) error[c] = of_added.of(added.pixels[i][c]);
-            for (auto const& part : parts) whole.pixels[i] += part.picture.pixels[i], error += part.rounding[i];
-        }
-    }
     /// Where the parts are less than the picture there is a rest; where they are more, they are scaled down.
-    void compare(metrics::Picture const& picture) {
-        Rounding const of_picture(image, names.picture);
-        for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
-            auto const &sum = whole.pixels[i], &target = picture.pixels[i];
-            if (!is_usable(sum) || !is_usable(target)) continue;
+    void compare(LinearView const& sums) {
+        Rounding const of_picture(image, names.picture), of_added(image, names.added);
+        for (std::size_t i = 0; i < sums.pixels(); ++i) {
+            auto const sum = sums[i], target = whole[i];
+            if (!all_finite(sum) || !all_finite(target)) continue;
             for (int c = 0; c < 3; ++c) {
+                float rounding = of_added.of(added.at(c, i));
+                for (auto const& part : parts) rounding += part.rounding(c, i);
                 // Sums of sums are rounded as well.
-                float const tolerated = 2.f * (rounding[i][c] + of_picture.of(target[c]));
+                float const tolerated = 2.f * (rounding + of_picture.of(target[c]));
                 if (sum[c] > target[c] + tolerated) scale_down(i, c, target[c]);
                 if (sum[c] < target[c] - tolerated) leave(i, c, target[c] - sum[c]);
             }
         }
-        whole = picture;
     }
-    void leave(std::size_t i, int c, float light) { rest.pixels[i][c] += light, has_rest = true; }
+    void begin_to_scale(std::size_t s) {
+        LayoutChanges::Of const of(names.of_signals[s].name);
+        parts[s].less = LinearPicture(parts[s].light);
+    }
+    void leave(std::size_t i, int c, float light) { rest.at(c, i) += light, has_rest = true; }
     void scale_down(std::size_t i, int c, float target) {
-        auto& extra = added.pixels[i][c];
+        auto& extra = added.at(c, i);
         float signals = 0;
-        for (auto const& part : parts) signals += part.picture.pixels[i][c];
+        for (auto const& part : parts) signals += part.picture.at(c, i);
         if (extra > 0.f) extra = std::clamp(target - signals, 0.f, extra), has_less_added = true;
         float const left = target - extra;
         if (signals <= left) return;
         has_less_light = true;
         float const share = left > 0.f && signals > 0.f ? left / signals : 0.f;
-        for (auto& part : parts) part.picture.pixels[i][c] *= share, part.light.pixels[i][c] *= share;
+        for (std::size_t s = 0; s < parts.size(); ++s) {
+            if (parts[s].less.empty()) begin_to_scale(s);
+            parts[s].picture.at(c, i) *= share, parts[s].less.at(c, i) *= share;
+        }
         if (left < 0.f) leave(i, c, left);
     }
     /// Light that filters spread stays off what the film does not show.
     void hide_factor(io::SignalNames& signal, Part const& part, std::size_t s) {
         if (signal.factor.empty()) return;
-        auto factor = part.factor;
+        LinearPicture factor(part.factor);
         bool is_changed = false;
-        for (std::size_t i = 0; i < factor.pixels.size(); ++i) {
-            if (image[rule.film].values[i] != 0.f || whole.pixels[i] != glm::vec3(0.f) || factor.pixels[i] == glm::vec3(0.f)) continue;
-            factor.pixels[i] = glm::vec3(0.f), is_changed = true;
+        auto const& film = image[rule.film].values;
+        for (std::size_t i = 0; i < factor.pixels(); ++i) {
+            if (film[i] != 0.f || whole[i] != glm::vec3(0.f) || glm::vec3(factor[i]) == glm::vec3(0.f)) continue;
+            factor[i] = glm::vec3(0.f), is_changed = true;
         }
         if (is_changed) signal.factor = put("factor " + std::to_string(s), factor);
     }
     /// Alpha goes where the light goes, and is a signal of its own where there is none.
     void divide_alpha(LightSplit& result, std::string const& name) {
-        bool const is_only = !has_several_signals(names) && parts[0].factor_is_none && result.active[0];
+        bool const is_only = !has_several_signals(names) && names.of_signals[0].factor.empty() && result.active[0];
         auto const carrier = is_only ? 0 : parts.size();
         bool const is_one_picture = is_only || !result.active[0];
         auto const alpha = alpha_with_light(result, is_one_picture, name + ".own");
@@ -235,8 +239,8 @@ private:
         result.shares_alpha = !is_all;
         std::vector<float> with_light;
         for (std::size_t i = 0; i < alpha.size(); ++i) {
-            float const all = luminance(whole.pixels[i]);
-            float const share = is_all ? 1.f : all > 0.f ? std::clamp(luminance(light.pixels[i]) / all, 0.f, 1.f) : 0.f;
+            float const all = luminance(whole[i]);
+            float const share = is_all ? 1.f : all > 0.f ? std::clamp(luminance(light[i]) / all, 0.f, 1.f) : 0.f;
             with_light.push_back(alpha[i] * share);
             result.kept_alpha.push_back(is_finite(alpha[i]) ? alpha[i] * (1.f - share) : 0.f);
         }
@@ -279,21 +283,24 @@ private:
     /// Which pixels have light that alpha belongs to: of one picture all light, else that which is multiplied by colours as they are, or
     /// added. The light of a volume, which is denoised by itself, says nothing of alpha.
     [[nodiscard]] std::vector<bool> lit(bool is_one_picture) const {
-        auto light = is_one_picture ? whole : added;
-        for (std::size_t i = 0; i < light.pixels.size() && !is_one_picture; ++i) {
-            light.pixels[i] += rest.pixels[i];
-            for (auto const& part : parts)
-                if (!part.colour.pixels.empty()) light.pixels[i] += part.picture.pixels[i];
-        }
         std::vector<bool> is_lit;
-        for (auto const& p : light.pixels) is_lit.push_back(p != glm::vec3(0.f));
+        for (std::size_t i = 0; i < whole.pixels(); ++i) {
+            glm::vec3 light = is_one_picture ? whole[i] : glm::vec3(added[i]) + glm::vec3(rest[i]);
+            for (auto const& part : parts)
+                if (!is_one_picture && !part.colour.empty()) light += part.picture[i];
+            is_lit.push_back(light != glm::vec3(0.f));
+        }
         return is_lit;
     }
-    void give_to_rest(metrics::Picture const& part) {
-        for (std::size_t i = 0; i < part.pixels.size(); ++i) rest.pixels[i] += part.pixels[i];
+    void give_to_rest(LinearPicture const& part) {
+        for (std::size_t k = 0; k < part.values.size(); ++k) rest.values[k] += part.values[k];
         has_rest = true;
     }
-    std::vector<io::Source> put(std::string const& name, metrics::Picture const& picture) { return put_picture(made, name, picture); }
+    std::vector<io::Source> put(std::string const& name, LinearView const& picture) { return put_picture(made, name, picture); }
+    void put_light(io::SignalNames& signal, std::string const& name, LinearView const& light) {
+        LayoutChanges::Of const of(signal.name);
+        signal.channels.sources["radiance"] = put(name, light);
+    }
 };
 
 /// Whether there is one picture, which is not divided by anything and is all there is.
@@ -305,23 +312,52 @@ bool is_simple(io::SequenceNames const& names, SplitRule const& rule) {
 
 } // namespace
 
-metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise) {
-    if (sources.empty()) return {image.size, Pixels(image.pixels(), glm::vec3(otherwise))};
-    std::array<std::vector<float>, 3> components;
-    for (std::size_t c = 0; c < 3; ++c) components[c] = io::component_of(image, sources[c]);
-    metrics::Picture picture{image.size, Pixels(image.pixels())};
-    for (std::size_t i = 0; i < image.pixels(); ++i) picture.pixels[i] = {components[0][i], components[1][i], components[2][i]};
-    return picture;
+ReadPicture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise) {
+    if (sources.empty()) return ReadPicture(LinearPicture(image.size, otherwise));
+    bool const are_planes =
+        std::ranges::all_of(sources, [](auto const& s) { return s.sum.size() == 1 && s.scale == 1.f && s.offset == 0.f; });
+    if (!are_planes) {
+        LinearPicture picture(image.size);
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::span const to(picture.target().planes[c], image.pixels());
+            if (sources[c].sum.empty() || sources[c].offset != 0.f) {
+                std::ranges::copy(io::component_of(image, sources[c]), to.begin());
+                continue;
+            }
+            for (bool is_first = true; auto const& name : sources[c].sum) {
+                auto const& values = io::detail::plane_for(image, name, false).values;
+                for (std::size_t i = 0; i < to.size(); ++i) to[i] = is_first ? values[i] : to[i] + values[i];
+                is_first = false;
+            }
+            for (auto& value : to) value *= sources[c].scale;
+        }
+        return ReadPicture(std::move(picture));
+    }
+    LinearView where{image.size};
+    for (std::size_t c = 0; c < 3; ++c) where.planes[c] = io::detail::plane_for(image, sources[c].sum[0], false).values.data();
+    return ReadPicture(where);
 }
 
-std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, metrics::Picture const& picture) {
+ReadPicture light_of(io::ExrImage const& image, io::SignalNames const& signal, float otherwise) {
+    return picture_of(image, io::sources_of(signal.channels, radiance), otherwise);
+}
+
+std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, LinearView const& picture) {
+    LayoutChanges::add();
     std::vector<io::Source> sources;
-    for (int c = 0; c < 3; ++c) {
-        io::Plane plane{.name = "quell:" + name + "." + "RGB"[c], .values = std::vector<float>(picture.pixels.size())};
-        for (std::size_t i = 0; i < picture.pixels.size(); ++i) plane.values[i] = picture.pixels[i][c];
-        sources.push_back({{plane.name}});
-        planes.push_back(std::move(plane));
+    for (std::size_t c = 0; c < 3; ++c) {
+        auto const* const values = picture.planes[c];
+        planes.push_back({.name = "quell:" + name + "." + "RGB"[c], .values = {values, values + picture.pixels()}});
+        sources.push_back({{planes.back().name}});
     }
+    return sources;
+}
+
+std::vector<io::Source> put_picture(io::ExrImage& image, std::string const& name, LinearView const& picture,
+                                    std::vector<io::Source> const& instead_of) {
+    auto const type = image[io::planes_of(instead_of).front()].type;
+    auto sources = put_picture(image.planes, name, picture);
+    for (auto plane = image.planes.end() - 3; plane != image.planes.end(); ++plane) plane->type = type;
     return sources;
 }
 
@@ -338,7 +374,7 @@ std::vector<std::string> split_planes(io::ExrListing const& file, io::SequenceNa
     return planes;
 }
 
-metrics::Picture whole_picture(io::ExrImage const& image, io::SequenceNames const& names) { return Splitting(image, names, {}).picture(); }
+ReadPicture whole_picture(io::ExrImage const& image, io::SequenceNames const& names) { return Splitting(image, names, {}).picture(); }
 
 SignalShares signal_shares(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule) {
     return Splitting(image, names, rule).shares();

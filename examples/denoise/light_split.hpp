@@ -1,7 +1,8 @@
 #pragma once
 
+#include <denoise/linear_picture.hpp>
+
 #include <quell/io/sequence_names.hpp>
-#include <quell/metrics/picture.hpp>
 
 #include <optional>
 #include <vector>
@@ -56,7 +57,7 @@ struct LightSplit {
 [[nodiscard]] bool is_better_as_one(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule);
 
 /// The picture of a frame: as the file has it, or else the sum of its signals and of what is added.
-[[nodiscard]] metrics::Picture whole_picture(io::ExrImage const& image, io::SequenceNames const& names);
+[[nodiscard]] ReadPicture whole_picture(io::ExrImage const& image, io::SequenceNames const& names);
 
 /// The planes that this takes of a file beside those of the signals: of factors, of what is added, and of the picture where the file has
 /// it.
@@ -66,9 +67,9 @@ struct LightSplit {
 /// to be filtered as one.
 struct SignalShares {
     /// Of each signal, and last of the rest: what its light is multiplied by in the picture, without its noise.
-    std::vector<metrics::Picture> colours;
-    std::vector<metrics::Picture> shares; ///< of each signal, and last of the rest: which part of the picture it is, from 0 to 1
-    metrics::Picture added;               ///< and what no signal has, without its noise
+    std::vector<LinearPicture> colours;
+    std::vector<LinearPicture> shares; ///< of each signal, and last of the rest: which part of the picture it is, from 0 to 1
+    LinearPicture added;               ///< and what no signal has, without its noise
 };
 [[nodiscard]] SignalShares signal_shares(io::ExrImage const& image, io::SequenceNames const& names, SplitRule const& rule);
 
@@ -79,8 +80,14 @@ inline constexpr auto rest_name = "rest";
 [[nodiscard]] bool has_several_signals(io::SequenceNames const& names);
 
 /// Three components as a picture; where there are no sources, `otherwise` everywhere.
-[[nodiscard]] metrics::Picture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise);
+/// @param image has to outlive it
+[[nodiscard]] ReadPicture picture_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise);
+/// The light of a signal.
+[[nodiscard]] ReadPicture light_of(io::ExrImage const& image, io::SignalNames const& signal, float otherwise = 0.f);
 /// Puts a picture among planes, by names that begin with "quell:". Returns what reads it.
-[[nodiscard]] std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, metrics::Picture const& picture);
+[[nodiscard]] std::vector<io::Source> put_picture(std::vector<io::Plane>& planes, std::string const& name, LinearView const& picture);
+/// The same, rounded as the planes that it stands for: what that explains is no light.
+[[nodiscard]] std::vector<io::Source> put_picture(io::ExrImage& image, std::string const& name, LinearView const& picture,
+                                                  std::vector<io::Source> const& instead_of);
 
 } // namespace quell::examples

@@ -1,5 +1,6 @@
 #include <denoise/frame_list.hpp>
 #include <denoise/layers.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/options.hpp>
 #include <denoise/output.hpp>
 #include <denoise/presets.hpp>
@@ -205,6 +206,7 @@ public:
             summary.milliseconds += denoiser.milliseconds();
         }
         remember_memory();
+        summary.layout_changes = LayoutChanges::per_frame();
         auto const& names = denoisers.front().names();
         if (!names) return;
         if (auto const& how = denoisers.front().upsampling()) {

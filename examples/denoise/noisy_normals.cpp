@@ -46,7 +46,7 @@ void for_each_pair(Extent size, SurfaceGuides const& guides, auto&& f) {
         for (int x = 0; x < size.width; ++x)
             for (auto const& [dx, dy] : {std::array{1, 0}, std::array{0, 1}}) {
                 if (x + dx >= size.width || y + dy >= size.height) continue;
-                auto const here = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+                auto const here = index_of(size, x, y);
                 auto const there = here + static_cast<std::size_t>(dy * size.width + dx);
                 if (!is_finite(guides.depth[here]) || !is_finite(guides.depth[there])) continue;
                 f(static_cast<std::size_t>(y / block * blocks + x / block), here, there, guides.are_on_one_plane(here, there, dx, dy));
@@ -72,7 +72,7 @@ bool are_normals_rough(Extent size, SurfaceGuides const& guides) {
     return on_planes >= least_planes * all && rough_ones >= least_rough * on_planes && on_planes > 0.;
 }
 
-bool do_normals_explain(Extent size, SurfaceGuides const& guides, std::vector<glm::vec3> const& light) {
+bool do_normals_explain(Extent size, SurfaceGuides const& guides, LinearView const& light) {
     std::vector<Sums> sums(static_cast<std::size_t>(((size.width + block - 1) / block) * ((size.height + block - 1) / block)));
     for_each_pair(size, guides, [&](std::size_t b, std::size_t here, std::size_t there, bool is_plane) {
         double const from = static_cast<double>(luminance(light[here])), to = static_cast<double>(luminance(light[there]));

@@ -1,12 +1,9 @@
 #pragma once
 
+#include <denoise/linear_picture.hpp>
 #include <denoise/surface_links.hpp>
 
 #include <quell/image/extent.hpp>
-
-#include <glm/vec3.hpp>
-
-#include <vector>
 
 namespace quell::examples {
 
@@ -22,6 +19,6 @@ namespace quell::examples {
 /// normals explain light where it is three hundredths more.
 /// @param guides with depth and normals
 /// @param light  of each pixel, linear
-[[nodiscard]] bool do_normals_explain(Extent size, SurfaceGuides const& guides, std::vector<glm::vec3> const& light);
+[[nodiscard]] bool do_normals_explain(Extent size, SurfaceGuides const& guides, LinearView const& light);
 
 } // namespace quell::examples

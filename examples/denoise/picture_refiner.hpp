@@ -3,8 +3,6 @@
 #include <denoise/denoised_frame.hpp>
 #include <denoise/seen_frame.hpp>
 
-#include <quell/frame/frame.hpp>
-
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,20 +15,17 @@ namespace quell::examples {
 class PictureRefiner {
     /// Of the frame of a number; none before the first, or where frames did not have it.
     template <typename T> using OfFrame = std::optional<std::pair<long long, T>>;
-    OfFrame<metrics::Picture> detail_before; ///< the finest that noisy guides added
-    int threads;
+    OfFrame<LinearPicture> detail_before; ///< the finest that noisy guides added
 
 public:
-    /// @param count of threads; 0: as many as the machine has
-    explicit PictureRefiner(int count) : threads(count) {}
-
     /// The picture as one has no noise of guides, and lacks their texture. Of what the signals have more in their finest detail, that part
     /// is taken off which is the guides', and which these do not repeat from frame to frame.
-    /// @param names  by which the frame's guides are read
-    /// @param light  the frame's, by signals
-    /// @param as_one the picture, denoised as one
-    void take_off_noise_of_guides(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light,
-                                  metrics::Picture const& as_one, DenoisedFrame& frame);
+    /// @param guide_names by which the frame's guides are read
+    /// @param names       by which its light and colours are
+    /// @param light       the frame's, by signals
+    /// @param as_one      the picture, denoised as one
+    void take_off_noise_of_guides(SeenFrame& seen, io::ChannelNames const& guide_names, io::SequenceNames const& names,
+                                  LightSplit const& light, LinearView const& as_one, DenoisedFrame& frame);
 
     void forget() { detail_before.reset(); }
     /// Memory of what is remembered.
@@ -41,9 +36,9 @@ public:
 /// motion.
 /// @param names by which the frame's guides are read
 /// @param light as the picture is made of it
-[[nodiscard]] metrics::Picture samples_of_picture(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light);
+[[nodiscard]] LinearPicture samples_of_picture(SeenFrame const& seen, io::ChannelNames const& names, LightSplit const& light);
 /// Adds to each signal its share of what a picture has more than it had before: that of the light.
-/// @param before the picture's pixels
-void change_signals(DenoisedFrame& frame, std::vector<glm::vec3> const& before);
+/// @param before what the picture was
+void change_signals(DenoisedFrame& frame, LinearView const& before);
 
 } // namespace quell::examples

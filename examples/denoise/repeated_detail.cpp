@@ -17,9 +17,9 @@ namespace {
 double product_of(glm::vec3 const& a, glm::vec3 const& b) { return static_cast<double>(dot(vec3<float>(a), vec3<float>(b))); }
 
 /// The light of a picture around each pixel.
-std::vector<double> light_around(metrics::Picture const& picture) {
-    float const unit = quell::detail::light_unit(picture.pixels);
-    auto const planes = quell::detail::in_planes(picture.size, picture.pixels, unit);
+std::vector<double> light_around(LinearView const& picture) {
+    float const unit = quell::detail::light_unit(picture);
+    auto const planes = quell::detail::in_planes(picture, unit);
     quell::detail::WindowSums<1> sums(picture.size);
     auto const around = quell::detail::light_around(Simd{}, sums, quell::detail::Brightness(Simd{}, planes.view()));
     std::vector<double> light;
@@ -30,51 +30,53 @@ std::vector<double> light_around(metrics::Picture const& picture) {
 
 } // namespace
 
-metrics::Picture finest_detail(RepeatedDetail const& rule, metrics::Picture picture) {
-    for (auto& pixel : picture.pixels)
-        if (!is_finite(pixel.x) || !is_finite(pixel.y) || !is_finite(pixel.z)) pixel = glm::vec3(0.f);
-    auto const planes = quell::detail::in_planes(picture.size, picture.pixels);
-    auto wider = picture.pixels;
-    quell::detail::copy_out(quell::detail::blurred(Simd{}, planes.view(), rule.deviation).view(), wider);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] -= wider[i];
+LinearPicture finest_detail(RepeatedDetail const& rule, LinearView const& given) {
+    LinearPicture picture(given.size);
+    for (std::size_t i = 0; i < picture.pixels(); ++i)
+        if (all_finite(given[i])) picture[i] = given[i];
+    auto const planes = quell::detail::in_planes(picture.view());
+    auto const wider = quell::detail::blurred(Simd{}, planes.view(), rule.deviation);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < given.size.height; ++y)
+            for (int x = 0; x < given.size.width; ++x) picture.at(c, index_of(given.size, x, y)) -= wider.view().get(c, x, y);
     return picture;
 }
 
-metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture const& colour, metrics::Picture const& signal) {
+LinearPicture detail_of_colour(RepeatedDetail const& rule, LinearView const& colour, LinearView const& signal) {
     constexpr double darkest = 1e-4; // of a colour
     auto detail = finest_detail(rule, colour);
-    auto const pixels = colour.pixels.size();
+    auto const pixels = colour.pixels();
     for (int c = 0; c < 3; ++c) {
         std::vector<double> colours(pixels), lights(pixels);
         for (std::size_t i = 0; i < pixels; ++i)
-            if (is_finite(colour.pixels[i][c]) && is_finite(signal.pixels[i][c]))
-                colours[i] = static_cast<double>(colour.pixels[i][c]), lights[i] = static_cast<double>(signal.pixels[i][c]);
+            if (is_finite(colour.at(c, i)) && is_finite(signal.at(c, i)))
+                colours[i] = static_cast<double>(colour.at(c, i)), lights[i] = static_cast<double>(signal.at(c, i));
         box_sums(colour.size, colours, rule.light_radius), box_sums(colour.size, lights, rule.light_radius);
-        for (std::size_t i = 0; i < pixels; ++i) detail.pixels[i][c] *= static_cast<float>(lights[i] / std::max(colours[i], darkest));
+        for (std::size_t i = 0; i < pixels; ++i) detail.at(c, i) *= static_cast<float>(lights[i] / std::max(colours[i], darkest));
     }
     return detail;
 }
 
-void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, metrics::Picture& detail) {
+void limit_detail(RepeatedDetail const& rule, LinearView const& picture, LinearPicture& detail) {
     auto const light = light_around(picture);
-    for (std::size_t i = 0; i < detail.pixels.size(); ++i)
+    for (std::size_t i = 0; i < detail.pixels(); ++i)
         for (int c = 0; c < 3; ++c) {
             float const most = rule.most * static_cast<float>(light[i]);
-            float& value = detail.pixels[i][c];
+            float& value = detail.at(c, i);
             value = is_finite(value) ? std::clamp(value, -most, most) : 0.f;
         }
 }
 
-std::vector<float> share_of_guides(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& guides,
-                                   metrics::Picture const& picture) {
+std::vector<float> share_of_guides(RepeatedDetail const& rule, LinearView const& detail, LinearView const& guides,
+                                   LinearView const& picture) {
     auto const size = detail.size;
     auto const light = light_around(picture);
     std::vector<double> common(light.size()), square(light.size()), square_of_guides(light.size());
     for (std::size_t i = 0; i < light.size(); ++i) {
         double const per_light = 1. / (light[i] * light[i]);
-        common[i] = product_of(detail.pixels[i], guides.pixels[i]) * per_light;
-        square[i] = product_of(detail.pixels[i], detail.pixels[i]) * per_light;
-        square_of_guides[i] = product_of(guides.pixels[i], guides.pixels[i]) * per_light;
+        common[i] = product_of(detail[i], guides[i]) * per_light;
+        square[i] = product_of(detail[i], detail[i]) * per_light;
+        square_of_guides[i] = product_of(guides[i], guides[i]) * per_light;
     }
     for (auto* const each : {&common, &square, &square_of_guides}) box_sums(size, *each, rule.radius);
     std::vector<float> shares(light.size(), 0.f);
@@ -84,17 +86,17 @@ std::vector<float> share_of_guides(RepeatedDetail const& rule, metrics::Picture 
     return shares;
 }
 
-std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,
-                                  ViewOf<Planar<>, Motion> motion, metrics::Picture const& before) {
-    std::vector<float> shares(detail.pixels.size(), 1.f);
-    if (before.pixels.size() != detail.pixels.size()) return shares;
+std::vector<float> repeated_share(RepeatedDetail const& rule, LinearView const& detail, LinearView const& picture,
+                                  ViewOf<Planar<>, Motion> motion, LinearView const& before) {
+    std::vector<float> shares(detail.pixels(), 1.f);
+    if (before.pixels() != detail.pixels()) return shares;
     auto const size = detail.size;
     auto const light = light_around(picture);
-    auto const before_here = quell::detail::moved(Simd{}, before.pixels, motion, glm::vec3(0.f));
+    auto const before_here = quell::detail::moved(Simd{}, before, motion, glm::vec3(0.f));
     std::vector<double> common(shares.size()), square(shares.size());
     for (std::size_t i = 0; i < shares.size(); ++i) {
         double const per_light = 1. / (light[i] * light[i]);
-        common[i] = product_of(detail.pixels[i], before_here[i]) * per_light;
+        common[i] = product_of(detail[i], before_here[i]) * per_light;
         square[i] = product_of(before_here[i], before_here[i]) * per_light;
     }
     box_sums(size, common, rule.radius), box_sums(size, square, rule.radius);

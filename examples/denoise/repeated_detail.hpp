@@ -1,8 +1,9 @@
 #pragma once
 
+#include <denoise/linear_picture.hpp>
+
 #include <quell/frame/channels.hpp>
 #include <quell/image/planar.hpp>
-#include <quell/metrics/picture.hpp>
 
 #include <vector>
 
@@ -23,29 +24,29 @@ struct RepeatedDetail {
 };
 
 /// The finest detail of a picture; what is not finite counts as 0.
-[[nodiscard]] metrics::Picture finest_detail(RepeatedDetail const& rule, metrics::Picture picture);
+[[nodiscard]] LinearPicture finest_detail(RepeatedDetail const& rule, LinearView const& picture);
 
 /// What the finest detail of a signal's colour adds to the picture.
 /// @param colour that the signal is multiplied by
 /// @param signal light times its colour, of single samples or denoised
-[[nodiscard]] metrics::Picture detail_of_colour(RepeatedDetail const& rule, metrics::Picture const& colour, metrics::Picture const& signal);
+[[nodiscard]] LinearPicture detail_of_colour(RepeatedDetail const& rule, LinearView const& colour, LinearView const& signal);
 
 /// Limits detail, or what else adds to a picture, by its light around each pixel. What is not finite becomes 0.
-void limit_detail(RepeatedDetail const& rule, metrics::Picture const& picture, metrics::Picture& detail);
+void limit_detail(RepeatedDetail const& rule, LinearView const& picture, LinearPicture& detail);
 
 /// How much of a picture's finest detail is that of its guides: from 0 to 1, for each pixel.
 /// @param detail  of the picture
 /// @param guides  what they add to it in their finest detail
 /// @param picture bright and dark parts of it count alike
-[[nodiscard]] std::vector<float> share_of_guides(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& guides,
-                                                 metrics::Picture const& picture);
+[[nodiscard]] std::vector<float> share_of_guides(RepeatedDetail const& rule, LinearView const& detail, LinearView const& guides,
+                                                 LinearView const& picture);
 
 /// How much of detail the frame before has too: from 0 to 1, for each pixel; 1 where that is not known.
 /// @param detail  that guides add to the picture
 /// @param picture bright and dark parts of it count alike
 /// @param motion  a view of where each surface was in the frame before, less where it is, in pixels; not finite: unknown
 /// @param before  the same detail of the frame before; without pixels: there was none
-[[nodiscard]] std::vector<float> repeated_share(RepeatedDetail const& rule, metrics::Picture const& detail, metrics::Picture const& picture,
-                                                ViewOf<Planar<>, Motion> motion, metrics::Picture const& before);
+[[nodiscard]] std::vector<float> repeated_share(RepeatedDetail const& rule, LinearView const& detail, LinearView const& picture,
+                                                ViewOf<Planar<>, Motion> motion, LinearView const& before);
 
 } // namespace quell::examples

@@ -1,8 +1,7 @@
-#include <denoise/light_split.hpp>
 #include <denoise/residual_links.hpp>
 
 #include <quell/execute/threads.hpp>
-#include <quell/io/frame_image.hpp>
+#include <quell/image/borrowed.hpp>
 #include <quell/link/residual/repeated_residual.hpp>
 #include <quell/link/residual/residual_feedback.hpp>
 #include <quell/pipeline/chain.hpp>
@@ -16,43 +15,29 @@ namespace detail {
 
 inline constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// A picture as an image that pipelines write.
-struct PictureView {
-    static constexpr int components = 3;
-    Extent size;
-    glm::vec3* pixels;
-
-    explicit PictureView(metrics::Picture& picture) : size(picture.size), pixels(picture.pixels.data()) {}
-    [[nodiscard]] glm::vec3& at(int x, int y) const { return pixels[static_cast<std::ptrdiff_t>(y) * size.width + x]; }
-    [[nodiscard]] float get(int c, int x, int y) const { return at(x, y)[c]; }
-    void set(int c, int x, int y, float value) const { at(x, y)[c] = value; }
-};
-
-inline void fill(ImageView auto const& to, metrics::Picture const& from) {
-    auto pixel = from.pixels.begin();
-    for (int y = 0; y < from.size.height; ++y)
-        for (int x = 0; x < from.size.width; ++x, ++pixel)
-            for (int c = 0; c < 3; ++c) to.set(c, x, y, (*pixel)[c]);
+/// From now on an image of a frame is this one, where it lies.
+inline void refer(auto& image, quell_library::Image const& to) {
+    std::ptrdiff_t constexpr element = sizeof(float);
+    image = {reinterpret_cast<float const*>(to.data), image.extent, to.pixel_stride / element, to.row_stride / element,
+             to.component_stride / element};
+}
+inline void refer(Borrowed<>::Image<3>& image, LinearPicture const& to) {
+    image = {to.values.data(), to.size, 1, to.size.width, static_cast<std::ptrdiff_t>(to.pixels())};
 }
 
 /// A link with its frame and history.
 template <class Policy> struct Link {
     using Of = Pipeline<Denoised, Spatial<Policy>>;
-    Frame<typename Of::reads> frame;
+    Frame<typename Of::reads, Borrowed<>> frame;
     History<Of> history;
 
     explicit Link(Extent size) : frame(size), history(size, of({})) {}
     static Of of(Policy const& policy) { return Pipeline{denoised, Spatial{policy}}; }
-    void run(Policy const& policy, int threads, metrics::Picture& to) {
-        run_into(PictureView(to), of(policy), frame, history, Threads<>{.count = threads});
+    void run(Policy const& policy, int threads, LinearPicture& to) {
+        run_into(to.target(), of(policy), frame, history, Threads<>{.count = threads});
     }
-    void take(metrics::Picture const& samples, metrics::Picture const& picture) {
-        fill(frame[radiance].view(), samples), fill(frame[denoised].view(), picture);
-    }
-    [[nodiscard]] double bytes_per_pixel() const {
-        int floats = 0;
-        for_each_channel(typename Of::reads{}, [&](auto channel) { floats += channel.components; });
-        return history.bytes_per_pixel() + static_cast<double>(floats) * sizeof(float);
+    void take(LinearPicture const& samples, LinearPicture const& picture) {
+        refer(frame[radiance], samples), refer(frame[denoised], picture);
     }
 };
 
@@ -79,53 +64,55 @@ struct ResidualLinks::Next : Link<LackingOfSamples<Radiance>> {
 ResidualLinks::ResidualLinks(int count) : threads(count) {}
 ResidualLinks::~ResidualLinks() = default;
 
-std::optional<float> ResidualLinks::feed_back(io::ExrImage const& image, io::ChannelNames const& names,
-                                              ResidualFeedbackShares const& shares, metrics::Picture& light) {
-    if (!image.has_all(io::planes_of(Channels<Normal, Depth>{}, names))) return std::nullopt;
-    auto& link = link_of(feedback, image.size);
-    io::load_channels(Channels<Normal, Depth>{}, link.frame, image, names);
-    link.take(picture_of(image, io::sources_of(names, radiance), none), light);
-    link.run({.shares = shares}, threads, light);
+std::optional<float> ResidualLinks::feed_back(Denoiser const& denoiser, ResidualFeedbackShares const& shares, LinearPicture& light) {
+    auto const normals = denoiser.seen(normal.name), depths = denoiser.seen(depth.name);
+    if (normals.data == nullptr || depths.data == nullptr) return std::nullopt;
+    auto& link = link_of(feedback, light.size);
+    refer(link.frame[normal], normals), refer(link.frame[depth], depths);
+    refer(link.frame[radiance], denoiser.seen_light()), refer(link.frame[denoised], light);
+    if (other.values.size() != light.values.size()) other = LinearPicture(light.size);
+    link.run({.shares = shares}, threads, other);
+    std::swap(light, other);
     return link.history[noise_independence].get(0, 0, 0);
 }
 
 ResidualLinks::Refusal ResidualLinks::give_back_repeated(PictureOfSamples const& here, long long number, int count,
-                                                         PictureOfSamples const* after, metrics::Picture& picture) {
-    auto const size = here.image.size;
+                                                         PictureOfSamples const* after, LinearPicture& picture) {
+    auto const size = here.samples.size;
     auto const give_back = [&](auto& link) {
-        io::load_channels(Channels<Motion>{}, link.frame, here.image, here.names);
+        refer(link.frame[motion], here.motion->image);
         link.take(here.samples, here.denoised);
         link.frame.number = number;
         link.run({.samples = static_cast<float>(count)}, threads, picture);
         auto const refused = link.history[repeated_refusal];
         Refusal told{refused.get(1, 0, 0), {}};
-        told.same.reserve(picture.pixels.size());
+        told.same.reserve(picture.pixels());
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) told.same.push_back(refused.get(0, x, y));
         return told;
     };
-    if (!here.image.has_all(io::planes_of(Channels<MotionNext>{}, here.names))) return give_back(link_of(alone, size));
+    if (!here.motion_next) return give_back(link_of(alone, size));
     auto& link = link_of(with_next, size);
-    io::load_channels(Channels<MotionNext>{}, link.frame, here.image, here.names);
-    metrics::Picture lacks{size, std::vector<glm::vec3>(here.image.pixels(), glm::vec3(none))};
+    refer(link.frame[motion_next], here.motion_next->image);
+    LinearPicture lacks(size, none);
     if (after != nullptr) {
         auto& lacking = link_of(next, size);
         lacking.take(after->samples, after->denoised);
         lacking.run({}, threads, lacks);
     }
-    fill(link.frame[lacking_next].view(), lacks);
+    refer(link.frame[lacking_next], lacks);
     return give_back(link);
 }
 
 void ResidualLinks::forget() { feedback.reset(), alone.reset(), with_next.reset(), next.reset(); }
 void ResidualLinks::release_scratch() {
-    feedback.reset(), next.reset();
+    feedback.reset(), next.reset(), other = {};
     if (alone) alone->history.release_scratch();
     if (with_next) with_next->history.release_scratch();
 }
 double ResidualLinks::bytes_per_pixel() const {
-    auto const of = [](auto const& link) { return link ? link->bytes_per_pixel() : 0.; };
-    return of(feedback) + of(alone) + of(with_next) + of(next);
+    auto const of = [](auto const& link) { return link ? link->history.bytes_per_pixel() : 0.; };
+    return of(feedback) + of(alone) + of(with_next) + of(next) + (other.empty() ? 0. : static_cast<double>(sizeof(glm::vec3)));
 }
 
 std::string plans_of_residual_links() {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <quell/io/channel_names.hpp>
-#include <quell/io/exr_image.hpp>
+#include <denoise/denoiser.hpp>
+#include <denoise/guide_images.hpp>
+
 #include <quell/link/residual/residual_feedback_shares.hpp>
-#include <quell/metrics/picture.hpp>
 
 #include <memory>
 #include <optional>
@@ -14,10 +14,9 @@ namespace quell::examples {
 
 /// A frame's picture and what it was made of.
 struct PictureOfSamples {
-    io::ExrImage const& image;        ///< with the guides
-    io::ChannelNames const& names;    ///< by which these are read
-    metrics::Picture const& samples;  ///< linear; not finite where there is none
-    metrics::Picture const& denoised; ///< linear
+    LinearPicture const& samples; ///< not finite where there is none
+    LinearPicture const& denoised;
+    LoadedChannelPointer motion{}, motion_next{}; ///< the latter null: not known
 };
 
 /// The links behind a preset that give back what its filter took out by mistake (ResidualFeedback, RepeatedResidual), with their frames,
@@ -31,6 +30,7 @@ class ResidualLinks {
     std::unique_ptr<Repeated<false>> alone;
     std::unique_ptr<Repeated<true>> with_next;
     std::unique_ptr<Next> next;
+    LinearPicture other; ///< memory that pictures are written into
 
 public:
     /// @param count of threads; 0: as many as the machine has
@@ -38,10 +38,10 @@ public:
     ~ResidualLinks();
 
     /// Feeds the residual of a signal's light back.
-    /// @param light is changed
+    /// @param denoiser of the light
+    /// @param light    is changed
     /// @return how far noise was that of single pixels; nothing where the file has no normals or no depth
-    std::optional<float> feed_back(io::ExrImage const& image, io::ChannelNames const& names, ResidualFeedbackShares const& shares,
-                                   metrics::Picture& light);
+    std::optional<float> feed_back(Denoiser const& denoiser, ResidualFeedbackShares const& shares, LinearPicture& light);
 
     /// What was left out of what frames in a row lack.
     struct Refusal {
@@ -49,13 +49,13 @@ public:
         std::vector<float> same{}; ///< of each pixel: which part of the frames around is left out, as they have the same noise
     };
     /// Gives back what a picture, the one before and the one after lack of their samples. Frames are to be handed over in order.
-    /// @param here   the frame, which has motion
+    /// @param here   the frame
     /// @param number of the frame
     /// @param count  samples of each pixel
     /// @param after  the frame after; null: there is none
     /// @param picture gets the picture
     [[nodiscard]] Refusal give_back_repeated(PictureOfSamples const& here, long long number, int count, PictureOfSamples const* after,
-                                             metrics::Picture& picture);
+                                             LinearPicture& picture);
 
     void forget();          ///< all frames so far
     void release_scratch(); ///< all memory but what is remembered

@@ -51,7 +51,7 @@ bool is_indirect(std::string_view plane) {
 }
 
 /// The sum of the passes of indirect light; without pixels where there are none.
-metrics::Picture indirect_light(io::ExrImage const& image, io::SequenceNames const& names) {
+ReadPicture indirect_light(io::ExrImage const& image, io::SequenceNames const& names) {
     std::vector<io::Source> sum(3);
     for (auto const& signal : names.of_signals) {
         auto const light = io::sources_of(signal.channels, radiance);
@@ -66,16 +66,14 @@ metrics::Picture indirect_light(io::ExrImage const& image, io::SequenceNames con
 /// The standard deviations of a picture's noise over its light, in the middle of all windows of 5x5 pixels that are not dark, and that
 /// which a fifth of them exceed; 0: not known. Noise is what neighbours differ by more than pixels at twice the distance make likely, along
 /// rows or columns, whichever is less.
-std::array<float, 2> relative_noise(metrics::Picture const& picture) {
+std::array<float, 2> relative_noise(LinearView const& picture) {
     constexpr int side = 5;
     struct Window {
         float light, noise;
     };
     std::vector<Window> windows;
     double mean = 0;
-    auto const at = [&](int x, int y) {
-        return picture.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) + static_cast<std::size_t>(x)];
-    };
+    auto const at = [&](int x, int y) { return picture[index_of(picture.size, x, y)]; };
     for (int y0 = 0; y0 + side <= picture.size.height; y0 += side)
         for (int x0 = 0; x0 + side <= picture.size.width; x0 += side) {
             float light = 0, sums[2][2] = {}; // along rows and columns: of neighbours, and at twice the distance

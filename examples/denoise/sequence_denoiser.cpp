@@ -1,6 +1,7 @@
 #include <denoise/composite.hpp>
 #include <denoise/converted_history.hpp>
 #include <denoise/file_remedies.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/sequence_denoiser.hpp>
 
 #include <quell/core/real.hpp>
@@ -26,8 +27,7 @@ public:
 };
 
 /// Tells what came back of what frames in a row lack.
-void tell_repeated(StageAccount& why, std::vector<glm::vec3> const& before, std::vector<glm::vec3> const& after,
-                   ResidualLinks::Refusal refusal) {
+void tell_repeated(StageAccount& why, LinearView const& before, LinearView const& after, ResidualLinks::Refusal refusal) {
     auto& [trust, same] = refusal;
     double sum = 0;
     for (float& part : same) sum += static_cast<double>(part), part = 1.f - trust * (1.f - part);
@@ -53,15 +53,14 @@ void check_debug_views(Preset const& preset, std::vector<std::string> const& vie
 
 } // namespace
 
-SequenceDenoiser::SequenceDenoiser(SequenceSettings settings)
-    : frames(std::move(settings)), refiner(frames.settings.threads), links(frames.settings.threads) {
+SequenceDenoiser::SequenceDenoiser(SequenceSettings settings) : frames(std::move(settings)), links(frames.settings.threads) {
     check_debug_views(frames.settings.preset, frames.settings.debug_views);
 }
 
 /// The picture and its alpha are all that is left of the frame.
-void SequenceDenoiser::upsample(DenoisedFrame& frame, SeenFrame const& seen) {
+void SequenceDenoiser::upsample(DenoisedFrame& frame, SeenFrame& seen) {
     if (!upsampler) upsampler.emplace(frames.size(), *frames.settings.upsampling, frames.settings.threads);
-    upsampler->next(seen.image, frames.guide_names(), seen.number, frame.picture, frame.alpha);
+    upsampler->next(seen, frames.guide_names(), frame.picture, frame.alpha);
     frame.canvas = {0, 0, frame.picture.size.width, frame.picture.size.height};
     frame.signals.clear(), frame.guides.clear(), frame.added = {};
 }
@@ -91,7 +90,7 @@ Denoiser& SequenceDenoiser::denoiser(std::size_t signal) {
 void SequenceDenoiser::release_scratch() {
     window.clear();
     current.reset();
-    if (ahead) ahead->seen.image = {}, ahead->seen.ways = {};
+    if (ahead) ahead->seen.image = {}, ahead->seen.ways = {}, ahead->seen.guides = {};
     for (auto const& each : denoisers)
         if (each) each->release_scratch();
     for (auto const& each : choices)
@@ -250,13 +249,13 @@ std::string SequenceDenoiser::name_of(std::size_t signal) const {
 
 /// @param light  what was chosen of what is there with history and without
 /// @param factor of the light
-void SequenceDenoiser::tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice,
-                                    metrics::Picture const& light, metrics::Picture const& factor) {
+void SequenceDenoiser::tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice, LinearView const& light,
+                                    LinearView const& factor) {
     auto const refused = 1. - static_cast<double>(choice.trust());
     StageRow row{name_of(signal), Stage::history, 0, refused, refused > 0. ? noise_is_shared : "", refused > 0.};
     if (why.is_gathered()) {
         auto const with = denoiser(signal).with_history(choice), alone = denoiser(signal).alone(choice);
-        if (with && alone) row.share = why.chosen(with->pixels, alone->pixels, light.pixels, factor.pixels);
+        if (with && alone) row.share = why.chosen(*with, *alone, light, factor);
         if (!with) row.share = 1., row.reason = "no frame before is known";
     }
     why.add(std::move(row));
@@ -304,8 +303,10 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     for (auto& seen : window) {
         if (seen.number > number + frames.settings.later_frames) break; // it is there for its guides
         for (std::size_t s = 0; auto const& signal : frames.split(seen, as_one).signals)
-            if (auto const signal_number = s++; frames.split(seen, as_one).active[signal_number])
-                denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number);
+            if (auto const signal_number = s++; frames.split(seen, as_one).active[signal_number]) {
+                LayoutChanges::Of const of(signal.name);
+                denoiser(signal_number).look_ahead(seen.image, signal.channels, seen.number, seen.guides);
+            }
         alpha.look_ahead(frames.settings.preset, frames.canvas_size(), frames.settings.threads, seen, frames.split(seen, as_one));
     }
     auto const& image = front.image;
@@ -319,19 +320,19 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
     why.add_samples(front.said_samples, front.samples);
     auto const denoised_signal = [&](std::size_t s) {
         auto const& channels = split.signals[s].channels;
+        LayoutChanges::Of const of(split.signals[s].name);
         auto* const choice = frames.settings.is_judged() && is_wanted ? choice_for(s) : nullptr;
         auto result = denoiser(s).denoise(image, channels, number, choice);
-        auto const factor = why.is_gathered() ? picture_of(image, split.signals[s].factor, 1.f) : metrics::Picture{};
+        auto const factor = why.is_gathered() ? picture_of(image, split.signals[s].factor, 1.f) : ReadPicture();
         if (choice != nullptr) tell_history(why, s, *choice, result, factor);
         if (is_refined && against.empty()) {
             auto const count = static_cast<float>(front.samples);
             bool const is_steady = denoiser(s).statistics().frames > 1 && choice == nullptr;
-            auto const before = why.before(result.pixels);
+            auto const before = why.before(result);
             Timed const timed(other_milliseconds);
             auto const trust = links.feed_back(
-                image, channels, is_steady ? ResidualFeedbackShares::beside_history(count) : ResidualFeedbackShares::of_samples(count),
-                result);
-            why.add_feedback(name_of(s), why.changed(Stage::feedback, before, result.pixels, factor.pixels), trust);
+                denoiser(s), is_steady ? ResidualFeedbackShares::beside_history(count) : ResidualFeedbackShares::of_samples(count), result);
+            why.add_feedback(name_of(s), why.changed(Stage::feedback, before, result, factor), trust);
         } else if (is_refined)
             why.add({name_of(s), Stage::feedback, 0, 1, against});
         auto const counted = denoiser(s).statistics();
@@ -340,22 +341,21 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
         if (std::ranges::find(split.active, true) - split.active.begin() == static_cast<std::ptrdiff_t>(s))
             made.repaired += counted.repaired_guides;
         collect(denoiser(s).findings(), made.found);
-        return result;
+        return ReadPicture(std::move(result));
     };
     AntiAliasing anti_aliasing{front.around, earlier.before(), {}, frames.settings.threads, front.has_noisy_guides};
     for (std::size_t k = 1; k < std::min(window.size(), AntiAliased::most_frames + std::size_t{1}); ++k)
         anti_aliasing.after.push_back(window[k].around);
-    frame.picture =
-        composite(image, split, denoised_signal, made.missing, frame.signals, [&](std::size_t s, metrics::Picture const* light) {
-            Timed const timed(other_milliseconds);
-            return anti_aliasing.product(s, light, name_of(s), why);
-        });
+    frame.picture = composite(image, split, denoised_signal, made.missing, frame.signals, [&](std::size_t s, LinearView const* light) {
+        Timed const timed(other_milliseconds);
+        return anti_aliasing.product(s, light, name_of(s), why);
+    });
     if (front.has_noisy_guides) {
         auto const whole_picture = denoised_as_one(front);
         Timed const timed(other_milliseconds);
-        auto const before = why.before(frame.picture.pixels);
-        refiner.take_off_noise_of_guides(front, frames.guide_names(), split, whole_picture, frame);
-        why.add({"picture", Stage::guide_noise, why.changed(Stage::guide_noise, before, frame.picture.pixels)});
+        auto const before = why.before(frame.picture);
+        refiner.take_off_noise_of_guides(front, frames.guide_names(), frames.names_of(front), split, whole_picture, frame);
+        why.add({"picture", Stage::guide_noise, why.changed(Stage::guide_noise, before, frame.picture)});
     }
     if (frames.settings.is_refined() && front.is_opaque && is_wanted) {
         Timed const timed(other_milliseconds);
@@ -373,34 +373,34 @@ SequenceDenoiser::DenoisedSignals SequenceDenoiser::denoised(FramePattern const&
 DenoisedFrame SequenceDenoiser::finished(DenoisedSignals& signals) {
     auto& seen = signals.seen;
     auto& frame = signals.frame;
-    if (!signals.samples.pixels.empty()) {
+    if (!signals.samples.empty()) {
+        LayoutChanges::Of const of("picture");
         Timed const timed(other_milliseconds);
         auto const& names = frames.guide_names();
         std::optional<PictureOfSamples> after;
-        if (ahead && !ahead->samples.pixels.empty())
-            after.emplace(PictureOfSamples{ahead->seen.image, names, ahead->samples, ahead->frame.picture});
-        auto const given = frame.picture;
-        auto refusal = links.give_back_repeated({seen.image, names, signals.samples, given}, seen.number, seen.samples,
-                                                after ? &*after : nullptr, frame.picture);
-        tell_repeated(signals.why, given.pixels, frame.picture.pixels, std::move(refusal));
-        change_signals(frame, given.pixels);
+        if (ahead && !ahead->samples.empty()) after.emplace(PictureOfSamples{ahead->samples, ahead->frame.picture});
+        auto const given = std::exchange(frame.picture, LinearPicture(frame.picture.size));
+        auto refusal = links.give_back_repeated({signals.samples, given, seen.guide(motion, names), seen.guide(motion_next, names)},
+                                                seen.number, seen.samples, after ? &*after : nullptr, frame.picture);
+        tell_repeated(signals.why, given, frame.picture, std::move(refusal));
+        change_signals(frame, given);
     }
     signals.why.finish(frame.picture, frames.settings.is_refined() ? "nothing to do, or the files lack what it wants"
                                                                    : "left out: by --quick, --stages or the preset");
     if (accumulates_guides(frames.settings.preset)) accumulate_guides(frame, seen);
     if (!has_several_signals(frames.names())) frame.signals.clear(); // it is the picture
-    if (!frames.alpha_plane().empty()) film.clear_empty(frame, signals.shown, seen.image, frames.guide_names());
+    if (!frames.alpha_plane().empty()) film.clear_empty(frame, signals.shown, seen.guide(motion, frames.guide_names()));
     add_as_in_file(frame, seen.image, frames.split(seen, seen.as_one));
     if (frames.settings.upsampling) upsample(frame, seen);
     return std::move(frame);
 }
 
 /// The picture of a frame of the window, which is its first, denoised as one.
-metrics::Picture SequenceDenoiser::denoised_as_one(SeenFrame& front) {
+LinearPicture SequenceDenoiser::denoised_as_one(SeenFrame& front) {
     if (!whole) whole = std::make_unique<Denoiser>(way_of(frames.settings.preset), frames.canvas_size(), frames.settings.threads);
     for (auto& seen : window) {
         if (seen.number > front.number + frames.settings.later_frames) break;
-        whole->look_ahead(seen.image, frames.split(seen, true).signals.back().channels, seen.number);
+        whole->look_ahead(seen.image, frames.split(seen, true).signals.back().channels, seen.number, seen.guides);
     }
     return whole->denoise(front.image, frames.split(front, true).signals.back().channels, front.number);
 }
@@ -408,7 +408,7 @@ metrics::Picture SequenceDenoiser::denoised_as_one(SeenFrame& front) {
 /// Frames that follow want those before, whether or not they are shown.
 void SequenceDenoiser::accumulate_guides(DenoisedFrame& frame, SeenFrame& seen) {
     if (!guides) guides.emplace(frames.settings.preset, frames.settings.threads);
-    frame.guides = guides->next(seen.image, frames.names(), seen.number);
+    frame.guides = guides->next(seen.image, frames.names(), seen.number, seen.guides);
 }
 
 /// Layers are added up with what the file adds: of what a split takes of that, or scales down, the rest has the difference.
@@ -419,9 +419,9 @@ void SequenceDenoiser::add_as_in_file(DenoisedFrame& frame, io::ExrImage const& 
             frame.added[c].push_back({&image[plane].values, added[c].scale, frame.added[c].empty() ? added[c].offset : 0.f});
     if (added.empty() || io::planes_of(split.added) == io::planes_of(added)) return;
     auto const taken = picture_of(image, split.added, 0.f), whole = picture_of(image, added, 0.f);
-    auto& rest = frame.signals.back().pixels;
-    for (std::size_t i = 0; i < rest.size(); ++i)
-        if (auto const off = taken.pixels[i] - whole.pixels[i]; is_finite(off.x) && is_finite(off.y) && is_finite(off.z)) rest[i] += off;
+    auto& rest = frame.signals.back();
+    for (std::size_t i = 0; i < rest.pixels(); ++i)
+        if (auto const off = taken[i] - whole[i]; all_finite(off)) rest[i] += off;
 }
 
 std::vector<float> SequenceDenoiser::denoised_alpha(SeenFrame const& seen, LightSplit const& split) {

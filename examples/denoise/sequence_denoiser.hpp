@@ -45,11 +45,9 @@ public:
     /// @param in_full whether a frame after it is put together from its picture too
     void warm_up(FramePattern const& in, long long number, bool in_full = false) { static_cast<void>(next_frame(in, number, in_full)); }
     /// The part of a picture that the display window shows; an upsampled picture is that.
-    [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const { return frames.displayed(whole); }
+    [[nodiscard]] metrics::Picture displayed(LinearView const& whole) const { return frames.displayed(whole); }
     /// Its size.
-    [[nodiscard]] Extent displayed_size(metrics::Picture const& whole) const {
-        return frames.settings.upsampling ? whole.size : frames.size();
-    }
+    [[nodiscard]] Extent displayed_size(LinearView const& whole) const { return frames.settings.upsampling ? whole.size : frames.size(); }
 
     /// What stages did to the last frame, as long as this has it.
     [[nodiscard]] StageAccount const& account() const { return current->why; }
@@ -105,9 +103,9 @@ private:
     struct DenoisedSignals {
         SeenFrame seen;
         DenoisedFrame frame;
-        metrics::Picture samples{}; ///< of its picture; empty where nothing is given back
-        FilmContents shown{};       ///< where a transparent film shows something; empty: the film is opaque
-        long long missing = 0;      ///< samples
+        LinearPicture samples{}; ///< of its picture; empty where nothing is given back
+        FilmContents shown{};    ///< where a transparent film shows something; empty: the film is opaque
+        long long missing = 0;   ///< samples
         RepairedGuides repaired{};
         std::vector<Finding> found{};
         StageAccount why{};
@@ -124,17 +122,17 @@ private:
     [[nodiscard]] DenoisedFrame finished(DenoisedSignals& signals);
     [[nodiscard]] bool sees_next(SeenFrame const& seen) const;
     void begin(io::ExrOriginal const& file);
-    void upsample(DenoisedFrame& frame, SeenFrame const& seen);
+    void upsample(DenoisedFrame& frame, SeenFrame& seen);
     [[nodiscard]] std::string against_giving_back(SeenFrame& seen) const;
     [[nodiscard]] std::string name_of(std::size_t signal) const;
-    void tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice, metrics::Picture const& light,
-                      metrics::Picture const& factor);
+    void tell_history(StageAccount& why, std::size_t signal, quell_library::HistoryChoice& choice, LinearView const& light,
+                      LinearView const& factor);
     [[nodiscard]] std::vector<float> denoised_alpha(SeenFrame const& seen, LightSplit const& split);
     void add_as_in_file(DenoisedFrame& frame, io::ExrImage const& image, LightSplit const& split) const;
     [[nodiscard]] Purpose purpose_of(std::size_t signal) const;
     [[nodiscard]] Denoiser& denoiser(std::size_t signal);
     [[nodiscard]] quell_library::HistoryChoice* choice_for(std::size_t signal);
-    [[nodiscard]] metrics::Picture denoised_as_one(SeenFrame& seen);
+    [[nodiscard]] LinearPicture denoised_as_one(SeenFrame& seen);
     void accumulate_guides(DenoisedFrame& frame, SeenFrame& seen);
     void hand_over(FramePattern const& in);
     void read(FramePattern const& in, long long number, bool is_ahead);

@@ -3,6 +3,7 @@
 #include <denoise/canvas.hpp>
 #include <denoise/film_alpha.hpp>
 #include <denoise/layers.hpp>
+#include <denoise/layout_changes.hpp>
 #include <denoise/map_file.hpp>
 #include <denoise/sample_count.hpp>
 #include <denoise/sequence_frames.hpp>
@@ -82,6 +83,9 @@ std::vector<std::string> SequenceFrames::planes(io::ExrListing const& file) cons
 
 SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     SeenFrame frame{number, file.read(planes(file.listed), canvas), false, {}, {}};
+    LayoutChanges::begin_frame();
+    if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
+    put_cameras_on_canvas(frame.image, window, canvas);
     frame.said_samples = samples_in(file.listed, on_canvas);
     frame.samples = believed_samples(frame.image, on_canvas, frame.said_samples);
     auto empty = fill_empty_guides(frame.image, on_canvas);
@@ -91,18 +95,17 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
     frame.is_opaque = alpha.empty() || std::ranges::all_of(frame.image[alpha].values, [](float a) { return a == 1.f; });
     // Of other presets' signals, the files may hold no picture.
     if (!settings.diagnose && denoises_picture(settings.preset)) {
-        untold_motion.tell(frame.image, on_canvas, number, frame.is_opaque);
-        frame.is_next_told = untold_motion.tell_next(frame.image, on_canvas, number);
+        untold_motion.tell(frame.image, on_canvas, number, frame.is_opaque, frame.guides);
+        frame.is_next_told = untold_motion.tell_next(frame.image, on_canvas, number, frame.guides);
     }
     if (settings.is_refined()) frame.behind = names_behind_volume(frame.image, on_canvas);
-    if (!settings.diagnose) frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number);
+    if (!settings.diagnose)
+        frame.believed = doubted_albedo.names_for(frame.image, names_of(frame), settings.preset.by_albedo, number, frame.guides);
     auto const& names = names_of(frame);
-    if (settings.is_anti_aliased()) frame.around = frame_around(frame.image, names, frame.samples);
-    if (!on_canvas.view.empty()) frame.image.attributes = attributes_of_view(file, on_canvas);
-    put_cameras_on_canvas(frame.image, window, canvas);
+    if (settings.is_anti_aliased()) frame.around = frame_around(frame.image, names, frame.samples, frame.guides);
     auto split_by = rule();
     if (!frame.is_opaque) {
-        frame.film = film_contents(whole_picture(frame.image, names).pixels, frame.image[alpha].values);
+        frame.film = film_contents(whole_picture(frame.image, names), frame.image[alpha].values);
         frame.around.reset(); // colours of transparent film are those of what is hit, times its alpha
     }
     // Single samples don't tell where the albedo of an only signal is wrong: then it is filtered as one, or not, as the whole picture says.
@@ -118,8 +121,8 @@ SeenFrame SequenceFrames::seen(io::ExrOriginal const& file, long long number) {
 
 void SequenceFrames::tell_next(SeenFrame& seen) const {
     if (seen.is_next_told) return;
-    seen.is_next_told = untold_motion.tell_next(seen.image, on_canvas, seen.number);
-    if (seen.is_next_told && seen.around) seen.around = frame_around(seen.image, names_of(seen), seen.samples);
+    seen.is_next_told = untold_motion.tell_next(seen.image, on_canvas, seen.number, seen.guides);
+    if (seen.is_next_told && seen.around) seen.around = frame_around(seen.image, names_of(seen), seen.samples, seen.guides);
 }
 
 std::vector<std::string> SequenceFrames::remarks() const {
@@ -150,13 +153,11 @@ bool SequenceFrames::has_alpha(std::size_t signal) const {
     return is_rest || (!has_several_signals(on_canvas) && on_canvas.of_signals[signal].factor.empty());
 }
 
-metrics::Picture SequenceFrames::displayed(metrics::Picture const& whole) const {
-    if (settings.upsampling || whole.size == window) return whole;
-    metrics::Picture part{window, {}};
-    for (int y = 0; y < window.height; ++y) {
-        auto const begin = whole.pixels.begin() + static_cast<std::ptrdiff_t>(y - canvas.y0) * whole.size.width - canvas.x0;
-        part.pixels.insert(part.pixels.end(), begin, begin + window.width);
-    }
+metrics::Picture SequenceFrames::displayed(LinearView const& whole) const {
+    metrics::Picture part{settings.upsampling ? whole.size : window, {}};
+    int const x0 = settings.upsampling ? 0 : canvas.x0, y0 = settings.upsampling ? 0 : canvas.y0;
+    for (int y = 0; y < part.size.height; ++y)
+        for (int x = 0; x < part.size.width; ++x) part.pixels.push_back(whole[index_of(whole.size, x - x0, y - y0)]);
     return part;
 }
 

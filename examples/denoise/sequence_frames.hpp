@@ -41,7 +41,7 @@ public:
     /// Whether the canvas holds all of another one.
     [[nodiscard]] bool is_inside(Region const& other) const;
     /// The part of a picture of the canvas that the display window shows.
-    [[nodiscard]] metrics::Picture displayed(metrics::Picture const& whole) const;
+    [[nodiscard]] metrics::Picture displayed(LinearView const& whole) const;
     /// By which images of the canvas are read.
     [[nodiscard]] io::SequenceNames const& names() const { return on_canvas; }
     /// By which the guides of all signals are read.

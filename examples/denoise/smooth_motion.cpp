@@ -1,3 +1,4 @@
+#include <denoise/linear_picture.hpp>
 #include <denoise/smooth_motion.hpp>
 
 #include <algorithm>
@@ -20,10 +21,6 @@ constexpr double least_difference = .01;   ///< without the motion, of the varia
 constexpr double least_motion = .05;       ///< in pixels, in the mean of the part
 constexpr double farthest_shift = 1 / 3.;  ///< of the coarsest picture's sides
 
-std::size_t pixel_of(Extent size, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-}
-
 /// The mean luminance of what takes part, in which the sun's disc does not count whole.
 double mean_of(Pyramid::Level const& level) {
     auto const mean_up_to = [&](double limit) {
@@ -45,11 +42,11 @@ Pyramid::Level compared(Pyramid::Level level, double mean) {
             float sum = 0, whole = 0;
             for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
                 for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
-                    auto const i = pixel_of(level.size, u, v);
+                    auto const i = index_of(level.size, u, v);
                     float const weight = level.known[i] ? static_cast<float>((2 - std::abs(u - x)) * (2 - std::abs(v - y))) : 0.f;
                     sum += weight * light[i], whole += weight;
                 }
-            if (whole > 0) level.light[pixel_of(level.size, x, y)] = sum / whole;
+            if (whole > 0) level.light[index_of(level.size, x, y)] = sum / whole;
         }
     return level;
 }
@@ -63,7 +60,7 @@ Pyramid::Level halved(Pyramid::Level const& finer) {
             bool are_known = true;
             for (int const v : {2 * y, 2 * y + 1})
                 for (int const u : {2 * x, 2 * x + 1}) {
-                    auto const i = pixel_of(finer.size, u, v);
+                    auto const i = index_of(finer.size, u, v);
                     sum += finer.light[i], are_known = are_known && finer.known[i];
                 }
             level.light.push_back(sum / 4), level.known.push_back(are_known);
@@ -81,7 +78,7 @@ std::optional<Sample> sample_of(Pyramid::Level const& level, double x, double y)
     double const u = x - left, v = y - top;
     std::array<double, 4> corners{};
     for (int k = 0; k < 4; ++k) {
-        auto const i = pixel_of(level.size, left + k % 2, top + k / 2);
+        auto const i = index_of(level.size, left + k % 2, top + k / 2);
         if (!level.known[i]) return std::nullopt;
         corners[static_cast<std::size_t>(k)] = static_cast<double>(level.light[i]);
     }
@@ -101,7 +98,7 @@ struct Pair {
 
     /// What the picture before shows of a place, by what is told of its motion and more.
     [[nodiscard]] std::optional<Sample> sample_before(double column, double row, glm::vec2 more) const {
-        more += told[pixel_of(size, std::min(static_cast<int>(column), size.width - 1), std::min(static_cast<int>(row), size.height - 1))];
+        more += told[index_of(size, std::min(static_cast<int>(column), size.width - 1), std::min(static_cast<int>(row), size.height - 1))];
         return sample_of(before, (column + static_cast<double>(more.x) + .5) / pixel - .5,
                          (row + static_cast<double>(more.y) + .5) / pixel - .5);
     }
@@ -112,7 +109,7 @@ struct Pair {
         std::size_t all = 0;
         for (int y = stride / 2; y < now.size.height; y += stride)
             for (int x = stride / 2; x < now.size.width; x += stride) {
-                auto const i = pixel_of(now.size, x, y);
+                auto const i = index_of(now.size, x, y);
                 if (!now.known[i]) continue;
                 ++all;
                 double const column = (x + .5) * pixel - .5, row = (y + .5) * pixel - .5;

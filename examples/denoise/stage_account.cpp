@@ -26,7 +26,6 @@ constexpr glm::vec3 colour_of_refused{1, 0, 0};
 
 constexpr double noticeable = .45; ///< part that a stage refuses, in the mean over frames
 
-bool is_known(glm::vec3 const& light) { return is_finite(light.x) && is_finite(light.y) && is_finite(light.z); }
 float brightness(glm::vec3 const& light) { return luminance(glm::abs(light)); }
 float at(std::vector<float> const& plane, std::size_t pixel) { return pixel < plane.size() ? plane[pixel] : 0.f; }
 
@@ -54,25 +53,25 @@ void StageAccount::add_samples(int said, int believed) {
     add(std::move(row));
 }
 
-double StageAccount::changed(Stage stage, Colours const& before, Colours const& after, Colours const& factor) {
+double StageAccount::changed(Stage stage, LinearView const& before, LinearView const& after, LinearView const& factor) {
     if (!gathers) return 0.;
     auto& plane = changes[static_cast<std::size_t>(stage)];
-    plane.resize(after.size());
+    plane.resize(after.pixels());
     double change = 0, light = 0;
-    for (std::size_t i = 0; i < after.size(); ++i) {
+    for (std::size_t i = 0; i < after.pixels(); ++i) {
         auto const times = factor.empty() ? glm::vec3(1.f) : factor[i];
         auto const off = (after[i] - before[i]) * times, here = after[i] * times;
-        if (!is_known(off) || !is_known(here)) continue;
+        if (!all_finite(off) || !all_finite(here)) continue;
         plane[i] += brightness(off);
         change += static_cast<double>(brightness(off)), light += static_cast<double>(brightness(here));
     }
     return light > 0. ? std::min(change / light, 1.) : 0.;
 }
 
-double StageAccount::chosen(Colours const& with_history, Colours const& alone, Colours const& light, Colours const& factor) {
+double StageAccount::chosen(LinearView const& with_history, LinearView const& alone, LinearView const& light, LinearView const& factor) {
     changed(Stage::history, with_history, light, factor);
     double sum = 0, known = 0;
-    for (std::size_t i = 0; i < light.size(); ++i) {
+    for (std::size_t i = 0; i < light.pixels(); ++i) {
         auto const off = alone[i] - with_history[i];
         float const square = glm::dot(off, off), part = glm::dot(light[i] - with_history[i], off) / square;
         if (square > 0.f && is_finite(part)) sum += static_cast<double>(std::clamp(part, 0.f, 1.f)), known += 1.;
@@ -92,20 +91,20 @@ void StageAccount::refused(std::vector<float> const& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) refusals[i] = std::max(refusals[i], parts[i]);
 }
 
-void StageAccount::finish(metrics::Picture const& picture, std::string const& reason) {
+void StageAccount::finish(LinearView const& picture, std::string const& reason) {
     for (std::size_t s = 0; s < stage_count; ++s)
         if (std::ranges::none_of(all, [=](auto const& row) { return static_cast<std::size_t>(row.stage) == s; }))
             add({"picture", static_cast<Stage>(s), 0, 0, reason});
     if (!gathers) return;
     double sum = 0;
-    for (auto const& light : picture.pixels) sum += is_known(light) ? static_cast<double>(brightness(light)) : 0.;
-    auto const mean = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(picture.pixels.size(), 1)));
+    for (std::size_t i = 0; i < picture.pixels(); ++i) sum += all_finite(picture[i]) ? static_cast<double>(brightness(picture[i])) : 0.;
+    auto const mean = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(picture.pixels(), 1)));
     shown.size = picture.size, shown.pixels.clear();
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < picture.pixels(); ++i) {
         std::size_t most = 0;
         for (std::size_t s = 1; s < stage_count; ++s)
             if (at(changes[s], i) > at(changes[most], i)) most = s;
-        float const light = (is_known(picture.pixels[i]) ? brightness(picture.pixels[i]) : 0.f) + .1f * mean;
+        float const light = (all_finite(picture[i]) ? brightness(picture[i]) : 0.f) + .1f * mean;
         float const change = at(changes[most], i), bright = change > 0.f ? std::sqrt(std::min(change / light, 1.f)) : 0.f;
         float const part = std::clamp(at(refusals, i), 0.f, 1.f);
         shown.pixels.push_back(glm::clamp(looks[most].colour * (bright * (1.f - part)) + colour_of_refused * part, 0.f, 1.f));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <quell/metrics/picture.hpp>
+#include <denoise/linear_picture.hpp>
 
 #include <array>
 #include <cstddef>
@@ -50,8 +50,6 @@ struct StageRow {
 
 /// What stages did to a frame: numbers that cost next to nothing, and where it is asked for, how much they changed each pixel.
 class StageAccount {
-    using Colours = std::vector<glm::vec3>;
-
     bool gathers;
     std::vector<StageRow> all{};
     std::array<std::vector<float>, stage_count> changes{}; ///< of the picture's pixels; empty: the stage changed none
@@ -67,20 +65,20 @@ public:
     /// The number of samples. @param said 0: the file says none
     void add_samples(int said, int believed);
     /// A copy for changed(), where that is gathered.
-    [[nodiscard]] Colours before(Colours const& light) const { return gathers ? light : Colours{}; }
+    [[nodiscard]] LinearPicture before(LinearView const& light) const { return gathers ? LinearPicture(light) : LinearPicture(); }
     /// Gathers what a stage changed. Returns the mean change as a part of the mean light; 0 where that is not gathered.
     /// @param factor that light is multiplied by in the picture; empty: 1
-    double changed(Stage stage, Colours const& before, Colours const& after, Colours const& factor = {});
+    double changed(Stage stage, LinearView const& before, LinearView const& after, LinearView const& factor = {});
     /// The same of a choice between light with its history and that of the frame alone. Returns which part of it, in the mean, is the
     /// latter.
-    double chosen(Colours const& with_history, Colours const& alone, Colours const& light, Colours const& factor);
+    double chosen(LinearView const& with_history, LinearView const& alone, LinearView const& light, LinearView const& factor);
     /// What feedback did. @param trust how far it was done; nothing where files lack what it wants
     void add_feedback(std::string const& signal, double share, std::optional<float> trust);
     /// Gathers which part of each pixel a stage refused.
     void refused(std::vector<float> const& parts);
     /// Ends the frame. Stages that have said nothing were left out, for a reason that is given.
     /// @param picture what came out
-    void finish(metrics::Picture const& picture, std::string const& reason);
+    void finish(LinearView const& picture, std::string const& reason);
 
     [[nodiscard]] std::vector<StageRow> const& rows() const { return all; }
     /// For each pixel the colour of the stage that changed it most, the brighter the more that is of the light; what was refused has a

@@ -40,6 +40,7 @@ std::string json_of(Summary const& summary) {
               {"upsampled_by", summary.upsampled_by},
               {"milliseconds", summary.milliseconds},
               {"bytes_per_pixel", summary.bytes_per_pixel},
+              {"layout_changes", summary.layout_changes},
               {"findings", summary.findings},
               {"not_checked", summary.not_checked},
               {"remarks", summary.remarks}};

@@ -3,6 +3,7 @@
 #include <quell/image/extent.hpp>
 #include <quell/metrics/metric.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,13 +22,14 @@ struct SummaryOfView {
 /// What quell-denoise has done.
 struct Summary {
     std::string preset, preset_reason, signal, renderer;
-    std::vector<long long> written, skipped; ///< numbers of frames; without --out, those that were denoised
-    long long warm_up_frames = 0;            ///< denoised and not written
-    long long missing_samples = 0;           ///< that were not finite, or negative
-    Extent size{};                           ///< of the frames that come out; without pixels where none did
-    std::string upsampled_by;                ///< resolve or bicubic; empty: not at all
-    double milliseconds = 0;                 ///< of denoising alone
-    double bytes_per_pixel = 0;              ///< of history and scratch: of all views' histories, and one view's scratch
+    std::vector<long long> written, skipped;      ///< numbers of frames; without --out, those that were denoised
+    long long warm_up_frames = 0;                 ///< denoised and not written
+    long long missing_samples = 0;                ///< that were not finite, or negative
+    Extent size{};                                ///< of the frames that come out; without pixels where none did
+    std::string upsampled_by;                     ///< resolve or bicubic; empty: not at all
+    double milliseconds = 0;                      ///< of denoising alone
+    double bytes_per_pixel = 0;                   ///< of history and scratch: of all views' histories, and one view's scratch
+    std::map<std::string, double> layout_changes; ///< of each signal in a frame: see LayoutChanges
     std::vector<std::string> findings, not_checked, remarks;
     std::vector<std::string> why;     ///< what stages did, where that was asked for
     FrameScores scores;               ///< of the first view

@@ -1,3 +1,4 @@
+#include <denoise/linear_picture.hpp>
 #include <denoise/surface_links.hpp>
 
 #include <quell/core/real.hpp>
@@ -24,9 +25,7 @@ float inverse(float depth) { return is_finite(depth) && depth > 0.f ? 1.f / dept
 void SurfaceGuides::find_slopes(Extent size) {
     if (depth.empty()) return;
     auto const along = [&](int x, int y, int dx, int dy) {
-        auto const at = [&](int i, int j) {
-            return inverse(depth[static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i)]);
-        };
+        auto const at = [&](int i, int j) { return inverse(depth[index_of(size, i, j)]); };
         bool const has_before = x >= dx && y >= dy, has_after = x + dx < size.width && y + dy < size.height;
         float const before = has_before ? at(x, y) - at(x - dx, y - dy) : 0.f, after = has_after ? at(x + dx, y + dy) - at(x, y) : 0.f;
         if (!has_before || !has_after) return before + after;
@@ -85,7 +84,7 @@ SurfaceLinks::SurfaceLinks(Extent s, SurfaceGuides const& guides) : size(s), lin
                     int const length = lengths[level];
                     int const there_x = x + directions[d][0] * length, there_y = y + directions[d][1] * length;
                     if (there_x < 0 || there_x >= size.width || there_y >= size.height) continue;
-                    auto const here = index(x, y), there = index(there_x, there_y);
+                    auto const here = index_of(size, x, y), there = index_of(size, there_x, there_y);
                     if (!guides.are_one(here, there, there_x - x, there_y - y)) continue;
                     links[here] |= 1u << (8 * level + d);
                     links[there] |= 1u << (8 * level + d + 4);

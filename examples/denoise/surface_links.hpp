@@ -75,9 +75,6 @@ private:
     Extent size;
     std::vector<std::uint32_t> links; ///< of each pixel: eight bits for each length
 
-    [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-    }
     [[nodiscard]] std::size_t moved(std::size_t pixel, std::size_t level, std::size_t direction) const {
         auto const& [dx, dy] = directions[direction];
         return pixel + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(lengths[level]) * (dy * size.width + dx));

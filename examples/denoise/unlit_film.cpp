@@ -1,3 +1,4 @@
+#include <denoise/linear_picture.hpp>
 #include <denoise/unlit_film.hpp>
 
 #include <quell/io/frame_image.hpp>
@@ -49,18 +50,15 @@ public:
 std::vector<bool> unlit_film(std::vector<bool> const& has_light, io::ExrImage const& image, io::ChannelNames const& names) {
     Surfaces const surfaces(image, names);
     auto const [width, height] = image.size;
-    auto const index = [w = width](int x, int y) {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x);
-    };
     std::vector<bool> unlit(has_light.size());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            auto const here = index(x, y);
+            auto const here = index_of(image.size, x, y);
             if (has_light[here]) continue;
             int alike = 0, lit = 0;
             for (int j = std::max(y - radius, 0); j <= std::min(y + radius, height - 1); ++j)
                 for (int i = std::max(x - radius, 0); i <= std::min(x + radius, width - 1); ++i)
-                    if (surfaces.are_one(here, index(i, j))) ++alike, lit += has_light[index(i, j)];
+                    if (auto const there = index_of(image.size, i, j); surfaces.are_one(here, there)) ++alike, lit += has_light[there];
             unlit[here] = most_lit * lit < alike;
         }
     return unlit;

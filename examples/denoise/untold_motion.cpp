@@ -20,11 +20,9 @@ constexpr std::size_t background = 0; ///< of UntoldMotion::parts
 using Pixels = std::vector<std::size_t>;
 
 /// The pixels of both parts, by depth; of one that is small, none.
-std::array<Pixels, 2> pixels_of_parts(io::ExrImage const& image, io::ChannelNames const& names) {
+std::array<Pixels, 2> pixels_of_parts(io::ExrImage const& image, io::ChannelNames const& names, GuideImages& guides) {
     std::array<Pixels, 2> parts;
-    Frame<Channels<Depth>> frame(image.size);
-    io::load_channels(Channels<Depth>{}, frame, image, names);
-    auto const view = frame[depth].view();
+    auto const view = guides.get(depth.name, image, names)->view(depth);
     std::size_t i = 0;
     for (int y = 0; y < image.size.height; ++y)
         for (int x = 0; x < image.size.width; ++x, ++i) parts[is_finite(view.get(0, x, y)) ? 1 : background].push_back(i);
@@ -36,8 +34,8 @@ std::array<Pixels, 2> pixels_of_parts(io::ExrImage const& image, io::ChannelName
 /// By what a part is found again: the light of a background, the colours of surfaces.
 std::vector<float> shown_by(std::size_t part, io::ExrImage const& image, io::SequenceNames const& names) {
     std::vector<float> light(image.pixels(), 0.f);
-    auto const add = [&](metrics::Picture const& picture) {
-        for (std::size_t i = 0; i < light.size(); ++i) light[i] += luminance(picture.pixels[i]);
+    auto const add = [&](LinearView const& picture) {
+        for (std::size_t i = 0; i < light.size(); ++i) light[i] += luminance(picture[i]);
     };
     if (part == background) add(whole_picture(image, names));
     for (auto const& signal : names.of_signals) {
@@ -48,10 +46,9 @@ std::vector<float> shown_by(std::size_t part, io::ExrImage const& image, io::Seq
 }
 
 /// Both components of a channel of vectors, in pixels of quell's convention.
-template <ChannelTag C> std::vector<glm::vec2> vectors_of(C channel, io::ExrImage const& image, io::ChannelNames const& names) {
-    Frame<Channels<C>> frame(image.size);
-    io::load_channels(Channels<C>{}, frame, image, names);
-    auto const view = frame[channel].view();
+template <ChannelTag C>
+std::vector<glm::vec2> vectors_of(C channel, io::ExrImage const& image, io::ChannelNames const& names, GuideImages& images) {
+    auto const view = images.get(channel.name, image, names)->view(channel);
     std::vector<glm::vec2> vectors;
     for (int y = 0; y < image.size.height; ++y)
         for (int x = 0; x < image.size.width; ++x) vectors.emplace_back(view.get(0, x, y), view.get(1, x, y));
@@ -67,7 +64,8 @@ bool are_zero(std::vector<glm::vec2> const& vectors, Pixels const& pixels) {
 /// Adds motion to the vectors of a part, of each set of planes once. Vectors of the background at the rim of things may be means with those
 /// of surfaces, where the others are 0.
 /// @param more of a pixel's place
-template <ChannelTag C> void add(C channel, io::ExrImage& image, io::SequenceNames const& names, std::size_t part, auto const& more) {
+template <ChannelTag C>
+void add(C channel, io::ExrImage& image, io::SequenceNames const& names, std::size_t part, GuideImages& images, auto const& more) {
     std::vector<std::vector<std::string>> done;
     for (auto const& signal : names.of_signals) {
         auto const& guides = signal.channels;
@@ -76,8 +74,8 @@ template <ChannelTag C> void add(C channel, io::ExrImage& image, io::SequenceNam
         bool const is_done = std::ranges::find(done, planes) != done.end();
         if (is_done || !is_pass(image, sources) || !image.has_all(io::planes_of(Channels<Depth>{}, guides))) continue;
         done.push_back(planes);
-        auto const pixels = pixels_of_parts(image, guides)[part];
-        auto const vectors = vectors_of(channel, image, guides);
+        auto const pixels = pixels_of_parts(image, guides, images)[part];
+        auto const vectors = vectors_of(channel, image, guides, images);
         bool const is_told = part != background || !are_zero(vectors, pixels);
         for (int axis = 0; axis < 2; ++axis) {
             auto const convention = std::is_same_v<C, Motion> ? guides.motion : io::detail::next_convention(guides.motion);
@@ -88,16 +86,17 @@ template <ChannelTag C> void add(C channel, io::ExrImage& image, io::SequenceNam
                 return (told + more(static_cast<double>(i % width), static_cast<double>(i / width))[axis] - own.offset) / own.factor;
             });
         }
+        images.forget(channel.name);
     }
 }
 
 } // namespace
 
-void UntoldMotion::tell(io::ExrImage& image, io::SequenceNames const& names, long long number, bool is_opaque) {
+void UntoldMotion::tell(io::ExrImage& image, io::SequenceNames const& names, long long number, bool is_opaque, GuideImages& images) {
     auto const& guides = names.of_signals[0].channels;
     if (!image.has_all(io::planes_of(Channels<Depth, Motion>{}, guides))) return;
-    auto const pixels_of_part = pixels_of_parts(image, guides);
-    auto told = vectors_of(motion, image, guides);
+    auto const pixels_of_part = pixels_of_parts(image, guides, images);
+    auto told = vectors_of(motion, image, guides, images);
     if (are_zero(told, pixels_of_part[background]))
         for (auto const i : pixels_of_part[background]) told[i] = glm::vec2(0.f);
     for (std::size_t part = is_opaque ? background : background + 1; part < parts.size(); ++part) {
@@ -113,15 +112,15 @@ void UntoldMotion::tell(io::ExrImage& image, io::SequenceNames const& names, lon
             while (found.size() > kept) found.erase(found.begin());
         }
         if (auto const of = found.find(number); of != found.end())
-            add(motion, image, names, part, [&](double x, double y) { return of->second.at(x, y); });
+            add(motion, image, names, part, images, [&](double x, double y) { return of->second.at(x, y); });
     }
 }
 
-bool UntoldMotion::tell_next(io::ExrImage& image, io::SequenceNames const& names, long long number) const {
+bool UntoldMotion::tell_next(io::ExrImage& image, io::SequenceNames const& names, long long number, GuideImages& images) const {
     bool is_known = false;
     for (std::size_t part = 0; part < parts.size(); ++part)
         if (auto const of = parts[part].found.find(number + 1); of != parts[part].found.end()) {
-            add(motion_next, image, names, part, [&](double x, double y) { return of->second.back_from(x, y); });
+            add(motion_next, image, names, part, images, [&](double x, double y) { return of->second.back_from(x, y); });
             is_known = true;
         }
     return is_known;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <denoise/guide_images.hpp>
 #include <denoise/smooth_motion.hpp>
 
 #include <quell/io/exr_image.hpp>
@@ -24,9 +25,10 @@ public:
     /// Adds to a frame's vectors where its parts were in the frame before, as far as that can be seen.
     /// @param image     whose planes of vectors are changed
     /// @param is_opaque whether the film is: behind a transparent one is no background
-    void tell(io::ExrImage& image, io::SequenceNames const& names, long long number, bool is_opaque);
+    /// @param images    the frame's guides
+    void tell(io::ExrImage& image, io::SequenceNames const& names, long long number, bool is_opaque, GuideImages& images);
     /// Adds to a frame's vectors where its parts will be, where the frame after has been told of. @return whether that is known of one
-    bool tell_next(io::ExrImage& image, io::SequenceNames const& names, long long number) const;
+    bool tell_next(io::ExrImage& image, io::SequenceNames const& names, long long number, GuideImages& images) const;
 
 private:
     struct Shown {

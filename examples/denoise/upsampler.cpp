@@ -1,9 +1,10 @@
+#include <denoise/seen_frame.hpp>
 #include <denoise/upsampler.hpp>
 
 #include <quell/core/real.hpp>
 #include <quell/execute/threads.hpp>
+#include <quell/image/borrowed.hpp>
 #include <quell/io/exr_file.hpp>
-#include <quell/io/frame_image.hpp>
 #include <quell/presets/general.hpp>
 #include <quell/presets/resolve.hpp>
 
@@ -69,7 +70,7 @@ Upsampling upsampling_for(float ratio, FramePattern const& in, std::vector<long 
 
 /// With the frame that they are shown.
 struct Upsampler::Histories {
-    Frame<Channels<Radiance, Visibility, Depth, Motion>> frame;
+    Frame<Channels<Radiance, Visibility, Depth, Motion>, Borrowed<>> frame;
     History<std::remove_const_t<decltype(colour)>> colours;
     std::optional<History<std::remove_const_t<decltype(opacity)>>> alphas{}; ///< none before there was alpha
 };
@@ -79,35 +80,38 @@ Upsampler::Upsampler(Extent size, Upsampling upsampling, int count)
       histories(new Histories{decltype(Histories::frame)(size), decltype(Histories::colours)(how.enlarged(size), colour)}) {}
 Upsampler::~Upsampler() = default;
 
-void Upsampler::next(io::ExrImage const& image, io::ChannelNames const& names, long long number, metrics::Picture& picture,
-                     std::vector<float>& alpha) {
+void Upsampler::next(SeenFrame& seen, io::ChannelNames const& names, LinearPicture& picture, std::vector<float>& alpha) {
+    auto const& image = seen.image;
     auto const* const jitter = image.attribute<glm::vec2>(jitter_attribute);
     if (!jitter && how.resolves())
         throw Error(image.name, std::string("it has no attribute ") + jitter_attribute + " of two floats, and frames before it have",
                     "write it into all frames, or leave out --upsample");
     auto& [frame, colours, alphas] = *histories;
     auto const size = frame.size;
-    auto const index = [&](int x, int y) {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-    };
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            frame[radiance].set(x, y, picture.pixels[index(x, y)]);
-            if (!alpha.empty()) frame[visibility].set(x, y, alpha[index(x, y)]);
-        }
+    auto const given = std::exchange(picture, LinearPicture(colours.size()));
+    auto const pixels = static_cast<std::ptrdiff_t>(given.pixels());
+    frame[radiance] = {given.values.data(), size, 1, size.width, pixels};
+    frame[visibility] = {alpha.data(), size, 1, size.width};
+    auto const depths = seen.guide(depth, names), vectors = seen.guide(motion, names);
+    LinearPicture const still(how.resolves() ? Extent{} : size);
     if (how.resolves()) {
-        io::load_channels(Channels<Depth, Motion>{}, frame, image, names);
+        auto const of_depth = depths->view(depth);
+        auto const of_motion = vectors->view(motion);
+        frame[depth] = {of_depth.planes[0], size, 1, of_depth.row_stride()};
+        frame[motion] = {of_motion.planes[0], size, 1, of_motion.row_stride(), of_motion.planes[1] - of_motion.planes[0]};
     } else { // neither motion nor depth counts
+        frame[depth] = {still.values.data(), size, 1, size.width};
+        frame[motion] = {still.values.data(), size, 1, size.width, pixels};
         colours.forget();
         if (alphas) alphas->forget();
     }
-    frame.number = number;
+    frame.number = seen.number;
     frame.camera.jitter = jitter ? *jitter : glm::vec2(0.f);
     check_jitter(image, frame.camera.jitter);
 
     auto const begin = std::chrono::steady_clock::now();
     Threads<> const executor{.count = threads};
-    picture = metrics::picture_of(run(colour, frame, colours, executor));
+    run_into(picture.target(), colour, frame, colours, executor);
     if (!alpha.empty()) {
         if (!alphas) alphas.emplace(colours.size(), opacity);
         auto const enlarged = run(opacity, frame, *alphas, executor);

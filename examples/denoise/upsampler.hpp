@@ -1,10 +1,9 @@
 #pragma once
 
+#include <denoise/linear_picture.hpp>
 #include <support/frame_pattern.hpp>
 
 #include <quell/io/channel_names.hpp>
-#include <quell/io/exr_image.hpp>
-#include <quell/metrics/picture.hpp>
 #include <quell/link/resolve/resolve.hpp>
 
 #include <memory>
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace quell::examples {
+
+struct SeenFrame;
 
 /// How much larger pictures are to become, and whether samples of several frames make them up.
 struct Upsampling {
@@ -49,11 +50,10 @@ public:
     ~Upsampler();
 
     /// Enlarges the next frame.
-    /// @param image with the frame's attributes, and where it resolves the planes of depth and motion
+    /// @param names by which its guides are read
     /// @param alpha of the picture; empty: it has none
     /// @throws Error naming the file where its jitter is not known, though that of frames before it was, or is of no use
-    void next(io::ExrImage const& image, io::ChannelNames const& names, long long number, metrics::Picture& picture,
-              std::vector<float>& alpha);
+    void next(SeenFrame& seen, io::ChannelNames const& names, LinearPicture& picture, std::vector<float>& alpha);
     void release_scratch();
     [[nodiscard]] double milliseconds() const { return taken; }
     /// Memory of history and scratch, per pixel of the input.

@@ -73,7 +73,7 @@ TEST_CASE("seen through fog, guides have no holes, and colours are those of what
                 }
             }
         }
-        auto const colour = examples::picture_of(image, seen->of_signals[0].factor, 1.f).pixels;
+        auto const colour = pixels_of(examples::picture_of(image, seen->of_signals[0].factor, 1.f));
         for (int y = 8; y < size.height; ++y)
             for (int x = 0; x < sky_from; ++x)
                 for (int c = 0; c < 3; ++c) CHECK(colour[at(x, y)][c] == doctest::Approx(paint[c]));
@@ -85,10 +85,10 @@ TEST_CASE("seen through fog, signals and what is added sum up to the picture as 
         auto image = wall_in_fog(part);
         auto const seen = names_behind_volume(image, names());
         REQUIRE(seen);
-        auto const light = examples::picture_of(image, io::sources_of(seen->of_signals[0].channels, radiance), 0.f).pixels;
-        auto const colour = examples::picture_of(image, seen->of_signals[0].factor, 1.f).pixels;
-        auto const fog = examples::picture_of(image, io::sources_of(seen->of_signals[1].channels, radiance), 0.f).pixels;
-        auto const added = examples::picture_of(image, seen->added, 0.f).pixels;
+        auto const light = pixels_of(examples::picture_of(image, io::sources_of(seen->of_signals[0].channels, radiance), 0.f));
+        auto const colour = pixels_of(examples::picture_of(image, seen->of_signals[0].factor, 1.f));
+        auto const fog = pixels_of(examples::picture_of(image, io::sources_of(seen->of_signals[1].channels, radiance), 0.f));
+        auto const added = pixels_of(examples::picture_of(image, seen->added, 0.f));
         auto const picture = pass(image, "beauty");
         for (std::size_t i = 0; i < picture.size(); ++i)
             for (int c = 0; c < 3; ++c) CHECK(light[i][c] * colour[i][c] + fog[i][c] + added[i][c] == doctest::Approx(picture[i][c]));
@@ -103,8 +103,8 @@ TEST_CASE("what no fog lies before, or around, stays as it is") {
     auto const seen = names_behind_volume(image, names());
     REQUIRE(seen);
     auto const z = io::component_of(image, io::sources_of(seen->of_signals[0].channels, depth)[0]);
-    auto const added = examples::picture_of(image, seen->added, 0.f).pixels,
-               light = examples::picture_of(image, io::sources_of(seen->of_signals[0].channels, radiance), 0.f).pixels;
+    auto const added = pixels_of(examples::picture_of(image, seen->added, 0.f)),
+               light = pixels_of(examples::picture_of(image, io::sources_of(seen->of_signals[0].channels, radiance), 0.f));
     for (int y = 0; y < 3; ++y)
         for (int x = 0; x < size.width; ++x) {
             CHECK(z[at(x, y)] == image["depth.Z"].values[at(x, y)]);

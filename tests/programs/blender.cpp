@@ -69,7 +69,8 @@ Change each_value(std::string const& names, std::function<float(int x, int y, fl
 }
 
 /// The frames of a sequence that were changed and denoised.
-std::vector<io::ExrImage> denoised(std::vector<Change> const& changes, std::string const& options = "", std::string const& said = "") {
+std::vector<io::ExrImage> frames_denoised(std::vector<Change> const& changes, std::string const& options = "",
+                                          std::string const& said = "") {
     Folder const folder;
     for (int i = 0; i < frames; ++i) {
         auto image = passes_of(i);
@@ -95,9 +96,10 @@ std::vector<Colours> pictures(std::vector<io::ExrImage> const& images, std::stri
 } // namespace
 
 TEST_CASE("the names of Blender 5 give the picture of those before") {
-    auto const before = denoised({in_layer("ViewLayer")}),
-               after = denoised({renamed({{"DiffDir.", "Diffuse Direct."}, {"DiffCol.", "Diffuse Color."}, {"Env.", "Environment."}}),
-                                 in_layer("ViewLayer")});
+    auto const before = frames_denoised({in_layer("ViewLayer")}),
+               after =
+                   frames_denoised({renamed({{"DiffDir.", "Diffuse Direct."}, {"DiffCol.", "Diffuse Color."}, {"Env.", "Environment."}}),
+                                    in_layer("ViewLayer")});
     CHECK(pictures(after, "ViewLayer.Combined") == pictures(before, "ViewLayer.Combined"));
     CHECK(pictures(after, "ViewLayer.denoised_diffuse") == pictures(before, "ViewLayer.denoised_diffuse"));
     CHECK(pictures(before, "ViewLayer.Combined") != pictures({passes_of(0), passes_of(1), passes_of(2)}, "Combined"));
@@ -121,7 +123,8 @@ TEST_CASE("a file of the compositor's node File Output gives the picture that a 
             }
         };
         std::vector<Change> const changes{renamed({{"Combined.", "Image."}, {"Depth.Z", "Depth.V"}}), as_the_node};
-        auto const alone = denoised(changes, "", "Blender Cycles"), by_map = denoised(changes, "--map '" + map.string() + "'");
+        auto const alone = frames_denoised(changes, "", "Blender Cycles"),
+                   by_map = frames_denoised(changes, "--map '" + map.string() + "'");
         CHECK(pictures(alone, "Image") == pictures(by_map, "Image"));
         if (has_colour) CHECK(pictures(alone, "denoised_diffuse") == pictures(by_map, "denoised_diffuse"));
     }
@@ -158,8 +161,8 @@ TEST_CASE("outside of a render region there is no surface, and vectors of 10000 
     auto const outside = [=](std::string const& name, float there) {
         return each_value(name, [=](int x, int, float value) { return is_outside(x) ? there : value; });
     };
-    auto const images = denoised({outside("Combined", 0.f), outside("Diff", 0.f), outside("Env", 0.f), outside("Normal", 0.f),
-                                  outside("Depth", 1e11f), outside("Vector", 10000.f), in_layer("ViewLayer")});
+    auto const images = frames_denoised({outside("Combined", 0.f), outside("Diff", 0.f), outside("Env", 0.f), outside("Normal", 0.f),
+                                         outside("Depth", 1e11f), outside("Vector", 10000.f), in_layer("ViewLayer")});
     for (auto const& picture : pictures(images, "ViewLayer.Combined"))
         for (std::size_t i = 0; i < picture.size(); ++i) {
             auto const x = static_cast<int>(i) % size.width;
@@ -170,8 +173,8 @@ TEST_CASE("outside of a render region there is no surface, and vectors of 10000 
 
 TEST_CASE("normals of length 2, as Cycles writes them for catchers, are as good as those of length 1") {
     auto const twice = each_value("Normal", [](int x, int, float value) { return x % 8 < 4 ? 2.f * value : value; });
-    CHECK(pictures(denoised({twice, in_layer("V")}, "", "normal not of length 1"), "V.Combined") ==
-          pictures(denoised({in_layer("V")}), "V.Combined"));
+    CHECK(pictures(frames_denoised({twice, in_layer("V")}, "", "normal not of length 1"), "V.Combined") ==
+          pictures(frames_denoised({in_layer("V")}), "V.Combined"));
 }
 
 TEST_CASE("colours that are twice too large give no more light than the picture has") {
@@ -182,7 +185,7 @@ TEST_CASE("colours that are twice too large give no more light than the picture 
         for (auto const& colour : pass(images.back(), "V.Combined")) sum += static_cast<double>(colour.x);
         return sum / static_cast<double>(size.pixels());
     };
-    CHECK(mean_of(denoised({twice, in_layer("V")})) == doctest::Approx(mean_of(denoised({in_layer("V")}))).epsilon(0.02));
+    CHECK(mean_of(frames_denoised({twice, in_layer("V")})) == doctest::Approx(mean_of(frames_denoised({in_layer("V")}))).epsilon(0.02));
 }
 
 TEST_CASE("colours near the largest half stay finite in a file of lossy compression, enlarged or not, and vectors stay what they are") {

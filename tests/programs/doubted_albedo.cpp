@@ -91,7 +91,12 @@ public:
 };
 
 Colours colours_by(io::ExrImage const& image, std::vector<io::Source> const& sources) {
-    return examples::picture_of(image, sources, 1.f).pixels;
+    return pixels_of(examples::picture_of(image, sources, 1.f));
+}
+std::optional<io::SequenceNames> names_by(auto&& doubted, io::ExrImage& image, io::SequenceNames const& names, bool by_albedo,
+                                          long long number) {
+    examples::GuideImages guides;
+    return doubted.names_for(image, names, by_albedo, number, guides);
 }
 std::vector<io::Source> albedo_in(io::SequenceNames const& names) { return io::sources_of(names.of_signals[0].channels, albedo); }
 std::size_t at(int x, int y) { return static_cast<std::size_t>(y * size.width + x); }
@@ -135,7 +140,7 @@ TEST_CASE("a colour of paint is believed, whatever the noise") {
         for (int number = 1; number <= 6; ++number) {
             auto image = Ball({.samples = samples}, number).image();
             auto const planes = image.planes.size();
-            CHECK_FALSE(doubted.names_for(image, io::own_sequence(), true, number));
+            CHECK_FALSE(names_by(doubted, image, io::own_sequence(), true, number));
             CHECK(image.planes.size() == planes);
         }
         CHECK(doubted.remarks().empty());
@@ -147,7 +152,7 @@ TEST_CASE("a highlight in the place of a metal's colour becomes a constant, and 
         for (float const unit : {1.f, std::ldexp(1.f, -12)}) {
             DoubtedAlbedo doubted;
             auto image = Ball({metal, 4.f, unit}, 1).image();
-            auto const names = doubted.names_for(image, io::own_sequence(), true, 1);
+            auto const names = names_by(doubted, image, io::own_sequence(), true, 1);
             REQUIRE(names);
             auto const given = pass(image, "albedo"), used = colours_by(image, albedo_in(*names));
             int same = 0, all = 0;
@@ -182,7 +187,7 @@ TEST_CASE("an albedo of noise that light knows nothing of is divided by nowhere,
                     frame[depth].set(x, y, y < 5 ? infinity : 1.f / (.02f + .004f * static_cast<float>(y)));
                 }
             auto image = io::image_of(frame);
-            auto const names = DoubtedAlbedo().names_for(image, io::own_sequence(), true, 1);
+            auto const names = names_by(DoubtedAlbedo(), image, io::own_sequence(), true, 1);
             CHECK(names.has_value() != is_of_light);
             if (names) CHECK(colours_by(image, albedo_in(*names)) == Colours(96 * 54, glm::vec3(1.f)));
         }
@@ -199,7 +204,7 @@ TEST_CASE("a factor that says nothing is replaced with its light, which add up t
     names.of_signals[0].factor = three({"albedo"});
     names.of_signals[0].channels.sources["radiance"] = three({"divided"});
     names.of_signals[0].channels.sources["albedo"] = std::vector<io::Source>(3, io::Source{{}, 1.f});
-    auto const seen = DoubtedAlbedo().names_for(image, names, false, 1);
+    auto const seen = names_by(DoubtedAlbedo(), image, names, false, 1);
     REQUIRE(seen);
     auto const new_factor = colours_by(image, seen->of_signals[0].factor),
                new_light = colours_by(image, io::sources_of(seen->of_signals[0].channels, radiance));
@@ -213,7 +218,7 @@ TEST_CASE("a frame that is read again is read by the same names") {
     std::array<Colours, 2> seen;
     for (int const number : {1, 2, 3, 4, 2}) {
         auto image = Ball({.metal = Metal::cut}, number).image();
-        auto const names = doubted.names_for(image, io::own_sequence(), true, number);
+        auto const names = names_by(doubted, image, io::own_sequence(), true, number);
         REQUIRE(names);
         if (number == 2) seen[seen[0].empty() ? 0 : 1] = colours_by(image, albedo_in(*names));
     }

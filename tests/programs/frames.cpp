@@ -130,7 +130,7 @@ TEST_CASE("a frame that could not be denoised is read anew") {
     auto const& preset = examples::preset_of("surface");
     auto const denoiser = examples::denoiser_of(preset, {24, 16}, 1), fresh = examples::denoiser_of(preset, {24, 16}, 1);
     CHECK(contains(message([&] { static_cast<void>(denoiser->denoise(image(5, -1), {}, 0)); }), "shutter"));
-    CHECK(denoiser->denoise(image(1, 0.5f), {}, 0).pixels == fresh->denoise(image(1, 0.5f), {}, 0).pixels);
+    CHECK(denoiser->denoise(image(1, 0.5f), {}, 0).values == fresh->denoise(image(1, 0.5f), {}, 0).values);
 }
 
 TEST_CASE("chunks without --warmup make the frames of the whole run, to 0.1 % of FLIP") {
@@ -213,6 +213,7 @@ TEST_CASE("--json prints what was done as one object, where it failed too") {
     CHECK(good["missing_samples"] == 0);
     CHECK(good["milliseconds"].get<double>() > 0);
     CHECK(good["bytes_per_pixel"].get<double>() > 0);
+    CHECK(good["layout_changes"]["picture"].get<double>() > 0);
     CHECK(good["scores"].size() == 1);
     CHECK(good["scores"][0]["frame"] == 2);
     CHECK(good["mean"]["flip"] == good["scores"][0]["flip"]);

@@ -82,6 +82,27 @@ TEST_CASE("how a frame's light is divided is known from the frame alone") {
     for (int i = 1; i <= 6; ++i) CHECK(bytes_of(folder / numbered("chunk.", i)) == bytes_of(folder / numbered("whole.", i)));
 }
 
+TEST_CASE("between its file and the output a signal changes its layout at most four times, and motion is decoded once") {
+    for (std::string const signal : {"diffuse", "rest"}) { // light that no pass holds is filtered as one picture
+        Folder const folder;
+        write_maps(folder);
+        for (int i = 1; i <= 4; ++i) write_frame(folder, i, {.beside = signal == "rest" ? 0.3f : 0.f});
+        for (std::string const preset : {"general", "final-frame"}) {
+            auto const ran = denoise(input(folder) + output(folder) + "--quiet --json --map '" + (folder / "passes.json").string() +
+                                     "' --preset " + preset);
+            INFO(preset, ": ", ran.err);
+            REQUIRE(ran.code == 0);
+            auto const changes = nlohmann::json::parse(ran.out).at("layout_changes");
+            INFO(changes.dump());
+            for (auto const& name : {signal, std::string("picture")}) {
+                CHECK(changes.at(name).get<double>() > 0.);
+                CHECK(changes.at(name).get<double>() <= 4.);
+            }
+            CHECK(changes.at("motion").get<double>() == 1.);
+        }
+    }
+}
+
 TEST_CASE("light that no pass holds stays in the picture, from its first frame on, whatever chunk it is in") {
     Folder const folder;
     write_maps(folder);

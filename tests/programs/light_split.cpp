@@ -49,7 +49,7 @@ io::ExrImage random_passes(unsigned seed, io::SampleType type, auto const& scale
 }
 
 Colours light_of(io::ExrImage const& image, std::vector<io::Source> const& sources, float otherwise = 0.f) {
-    return examples::picture_of(image, sources, otherwise).pixels;
+    return pixels_of(examples::picture_of(image, sources, otherwise));
 }
 Colours light_of(io::ExrImage const& image, LightSplit const& split, std::size_t signal) {
     if (!split.active[signal]) return Colours(image.pixels(), glm::vec3(0.f));
@@ -275,7 +275,7 @@ TEST_CASE("a picture whose rest is noisier than its colours have detail is filte
 TEST_CASE("estimates of guides' errors: the noise of a guide is its variance, and structure has none") {
     Random random(3);
     constexpr float amplitude = 0.3f;
-    auto const picture_of = [](auto const& f) { return metrics::Picture{wide, colours(wide, f)}; };
+    auto const picture_of = [](auto const& f) { return tests::picture_of(wide, colours(wide, f)); };
     auto const grey = picture_of([](int, int) { return glm::vec3(1.f); });
     auto const white = picture_of([&](int, int) { return glm::vec3(1.f + random.between(-amplitude, amplitude)); });
     auto const noise = guide_errors(white, GuideKind::added, white, grey, {}).noise * 1.1f; // of a display's weight, 1 / (1 + 0.1)

@@ -46,6 +46,14 @@ inline Colours pass(io::ExrImage const& image, std::string const& layer) {
     return result;
 }
 
+/// All pixels of a picture, and the other way round.
+inline Colours pixels_of(examples::LinearView const& picture) { return metrics::picture_of(picture).pixels; }
+inline examples::LinearPicture picture_of(Extent size, Colours const& pixels) {
+    examples::LinearPicture picture(size);
+    for (std::size_t i = 0; i < pixels.size(); ++i) picture[i] = pixels[i];
+    return picture;
+}
+
 inline std::vector<io::Source> three(std::vector<std::string> const& layers) {
     std::vector<io::Source> sources(3);
     for (std::size_t c = 0; c < 3; ++c)

@@ -138,8 +138,9 @@ TEST_CASE("vectors of the background and of all surfaces become those that the p
     for (float const unit : {1.f, 0x1p-20f}) {
         UntoldMotion untold;
         auto first = frame_after(none, none, unit), second = frame_after(a_motion(), floor, unit);
-        untold.tell(first, names, 1, true), untold.tell(second, names, 2, true);
-        CHECK(untold.tell_next(first, names, 1));
+        examples::GuideImages of_first, of_second;
+        untold.tell(first, names, 1, true, of_first), untold.tell(second, names, 2, true, of_second);
+        CHECK(untold.tell_next(first, names, 1, of_first));
         for (int const x : {20, 60, 100}) {
             CHECK(glm::distance(vector_in(second, x, 20), a_motion().at(x, 20)) < .3f);
             CHECK(glm::distance(vector_in(first, x, 20, "motion_next"), a_motion().back_from(x, 20)) < .3f);
@@ -157,9 +158,10 @@ TEST_CASE("vectors stay as they are where nothing is missing, after a gap, and o
     auto const stays = [&](SmoothMotion const& sky, long long number, bool is_opaque) {
         UntoldMotion untold;
         auto first = frame_after(no_motion(), no_motion()), second = frame_after(sky, no_motion());
-        untold.tell(first, names, 1, is_opaque), untold.tell(second, names, number, is_opaque);
+        examples::GuideImages of_first, of_second;
+        untold.tell(first, names, 1, is_opaque, of_first), untold.tell(second, names, number, is_opaque, of_second);
         return vector_in(second, 60, 20) == glm::vec2(0.f) && vector_in(second, 60, 60) == glm::vec2(0.f) &&
-               !untold.tell_next(first, names, 1);
+               !untold.tell_next(first, names, 1, of_first);
     };
     CHECK(stays(no_motion(), 2, true));
     CHECK(stays(a_motion(), 3, true));
@@ -173,7 +175,8 @@ TEST_CASE("vectors are written as the file has them: of another unit, direction 
     guides.motion = {.points = MotionConvention::Points::from_previous, .unit = MotionConvention::Unit::uv, .y = MotionConvention::Y::up};
     UntoldMotion untold;
     auto first = frame_after(no_motion(), no_motion()), second = frame_after(a_motion(), no_motion());
-    untold.tell(first, names, 1, true), untold.tell(second, names, 2, true);
+    examples::GuideImages of_first, of_second;
+    untold.tell(first, names, 1, true, of_first), untold.tell(second, names, 2, true, of_second);
     Frame<Channels<Motion>> frame(size);
     io::load_channels(Channels<Motion>{}, frame, second, guides);
     auto const view = frame[motion].view();

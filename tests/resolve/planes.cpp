@@ -90,7 +90,8 @@ TEST_CASE("an image moved is interpolated between pixels, and unknown where its 
     auto const image = random_planes(3, 1.f), motion = random_planes(4, 5.f);
     motion.view().set(0, 11, 11, std::numeric_limits<float>::quiet_NaN());
     std::vector<glm::vec3> pixels(static_cast<std::size_t>(size.pixels()));
-    copy_out(image.view(), pixels);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) pixels[static_cast<std::size_t>(y * size.width + x)] = image.view().get(x, y);
     auto const now = moved(Simd{}, pixels, motion.view(), glm::vec3(7.f));
     check([&](int x, int y) {
         double const column = x + at(motion, x, y).x, row = y + at(motion, x, y).y;

@@ -1,21 +1,23 @@
 #pragma once
 
 #include <quell/core/value.hpp>
+#include <quell/image/image_storage.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// The mean of a picture's luminance, whatever its sign.
-/// @param picture row by row; what is not finite counts as black
-inline double mean_brightness(std::vector<glm::vec3> const& picture) {
+/// @param picture a view of three components; what is not finite counts as black
+inline double mean_brightness(ImageView auto const& picture) {
     double sum = 0.;
-    for (auto const& pixel : picture)
-        if (float const light = luminance(pixel); is_finite(light)) sum += static_cast<double>(abs(light));
-    return sum / static_cast<double>(std::max<std::size_t>(picture.size(), 1));
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 0; x < picture.size.width; ++x) {
+            float const light = luminance(glm::vec3(picture.get(0, x, y), picture.get(1, x, y), picture.get(2, x, y)));
+            if (is_finite(light)) sum += static_cast<double>(abs(light));
+        }
+    return sum / static_cast<double>(std::max<long long>(picture.size.pixels(), 1));
 }
 
 /// The unit that a stage counts a picture's light in: a power of two, at most its mean brightness and more than half of that; 1 for a black
@@ -26,7 +28,7 @@ inline float light_unit(double mean) {
     return mean > 0. ? std::ldexp(1.f, std::clamp(std::ilogb(mean), -farthest, farthest)) : 1.f;
 }
 /// The same.
-/// @param picture row by row; what is not finite counts as black
-inline float light_unit(std::vector<glm::vec3> const& picture) { return light_unit(mean_brightness(picture)); }
+/// @param picture a view of three components; what is not finite counts as black
+inline float light_unit(ImageView auto const& picture) { return light_unit(mean_brightness(picture)); }
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET::detail

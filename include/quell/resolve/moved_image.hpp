@@ -11,18 +11,18 @@
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
 /// What an image of the frame before, or after, is where its surfaces are now, between its pixels.
-/// @param image     row by row
+/// @param image     colours of its pixels by their index, row by row
 /// @param motion    a view of where each surface is in that frame, less where it is now, in pixels; not finite: unknown
 /// @param elsewhere where they are not in the image
 template <Executor E>
-std::vector<glm::vec3> moved(E const& executor, std::vector<glm::vec3> const& image, ImageView auto motion, glm::vec3 const& elsewhere) {
+std::vector<glm::vec3> moved(E const& executor, auto const& image, ImageView auto motion, glm::vec3 const& elsewhere) {
     auto const size = motion.size;
     auto const width = static_cast<float>(size.width), height = static_cast<float>(size.height);
-    std::vector<glm::vec3> now(image.size());
+    std::vector<glm::vec3> now(static_cast<std::size_t>(size.pixels()));
     auto const at = [&](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
     };
-    auto const value = [&](int x, int y) {
+    auto const value = [&](int x, int y) -> glm::vec3 {
         float const column = static_cast<float>(x) + motion.get(0, x, y), row = static_cast<float>(y) + motion.get(1, x, y);
         bool const inside = column > -0.5f && column < width - 0.5f && row > -0.5f && row < height - 0.5f;
         if (!is_finite(column) || !is_finite(row) || !inside) return elsewhere;

@@ -3,29 +3,19 @@
 #include <quell/resolve/light_unit.hpp>
 #include <quell/resolve/window_sums.hpp>
 
-#include <vector>
-
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
 
-/// Colours, row by row, in planes.
+/// Colours in planes with padded rows.
+/// @param colours a view of three components
 /// @param unit of light, in which the planes have them: see light_unit()
-inline Planes<3> in_planes(Extent size, std::vector<glm::vec3> const& colours, float unit = 1.f) {
-    Planes<3> planes(size);
+inline Planes<3> in_planes(ImageView auto const& colours, float unit = 1.f) {
+    Planes<3> planes(colours.size);
     auto const view = planes.view();
     float const per_unit = 1.f / unit;
-    auto from = colours.begin();
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x, ++from)
-            for (int c = 0; c < 3; ++c) view.set(c, x, y, (*from)[c] * per_unit);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < colours.size.height; ++y)
+            for (int x = 0; x < colours.size.width; ++x) view.set(c, x, y, colours.get(c, x, y) * per_unit);
     return planes;
-}
-
-/// The other way round.
-inline void copy_out(PlanesView<3> planes, std::vector<glm::vec3>& colours, float unit = 1.f) {
-    auto to = colours.begin();
-    for (int y = 0; y < planes.size.height; ++y)
-        for (int x = 0; x < planes.size.width; ++x, ++to)
-            for (int c = 0; c < 3; ++c) (*to)[c] = planes.get(c, x, y) * unit;
 }
 
 /// How bright a picture is, whatever its sign. It is in units of its light.
