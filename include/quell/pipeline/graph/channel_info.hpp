@@ -12,14 +12,12 @@ struct ChannelInfo {
     int fraction = 1;                   ///< image size = frame size / fraction, rounded up
     ChannelInfo const* later = nullptr; ///< of an Earlier: what it was a frame ago
 };
-template <ChannelTag C> constexpr ChannelInfo const* later_info();
-template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::fraction, later_info<C>()};
-template <ChannelTag C> constexpr ChannelInfo const* later_info() {
-    if constexpr (frames_earlier < C >> 0)
-        return &channel_info<typename C::later>;
-    else
-        return nullptr;
-}
+/// That of what an Earlier was a frame ago; null for other channels.
+template <class C> struct LaterInfo { static constexpr ChannelInfo const* value = nullptr; };
+template <ChannelTag C> inline constexpr ChannelInfo channel_info{C::name, C::fraction, LaterInfo<C>::value};
+template <ChannelTag C, int frames> struct LaterInfo<Earlier<C, frames>> {
+    static constexpr ChannelInfo const* value = &channel_info<typename Earlier<C, frames>::later>;
+};
 using ChannelId = ChannelInfo const*;
 
 /// Some channels, in order.
