@@ -146,8 +146,8 @@ template <class... Ps> using emits_of = union_of<typename detail::Declared<detai
 /// Whether a policy or a part of it has `static constexpr bool needs_camera = true`. Hosts must then set frame.camera.
 template <class P> inline constexpr bool needs_camera_of = detail::needs_camera<P>();
 
-/// Whether a policy or a part of it has `static constexpr bool checks_jitter = true`: it makes no sense of a frame.camera.jitter that is not
-/// finite or of more than 8 pixels, which is then an error.
+/// Whether a policy or a part of it has `static constexpr bool checks_jitter = true`: it makes no sense of a frame.camera.jitter that is
+/// not finite or of more than 8 pixels, which is then an error.
 template <class P> inline constexpr bool checks_jitter_of = detail::checks_jitter<P>();
 
 /// The divisor of the frame's width and height at which a pass runs: its `static constexpr int fraction`, or 1.

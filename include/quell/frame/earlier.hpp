@@ -38,7 +38,6 @@ template <ChannelTag C, int frames> struct Earlier : C {
     /// @cond
     using kept = C;
     using later = std::conditional_t<frames == 1, C, Earlier<C, frames - (frames > 1)>>; // what it was a frame ago
-    static constexpr int past_frames = frames;
     /// @endcond
 };
 

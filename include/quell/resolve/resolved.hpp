@@ -17,8 +17,8 @@ namespace detail {
 /// Whether a picture has no jitter left: anti-aliased colours are of the pixels' centres.
 template <class P> inline constexpr bool has_centred_colours = false;
 template <class First, class... Links>
-inline constexpr bool has_centred_colours<Chain<First, Links...>> =
-    has_centred_colours<First> || (Links::keeps::template has<SeenColour> || ...);
+inline constexpr bool has_centred_colours<Chain<First, Links...>> = has_centred_colours<First> ||
+                                                                    (Links::keeps::template has<SeenColour> || ...);
 } // namespace detail
 
 /// A pipeline, or a Composite, whose output is then anti-aliased over time, at the frame's size or a larger one:
@@ -35,8 +35,9 @@ inline constexpr bool has_centred_colours<Chain<First, Links...>> =
 /// @tparam Policy Resolve<...>
 template <class P, class Policy = Resolve<>> struct Resolved {
     static_assert(detail::is_pipeline<P>, "Resolved{pipeline, resolve}: the first must be a Pipeline or a Composite");
-    static_assert(!detail::has_centred_colours<P>, "Resolved{pipeline, resolve}: colours of that pipeline are anti-aliased already; take one of "
-                                              "presets::resolve and presets::anti_aliased");
+    static_assert(!detail::has_centred_colours<P>,
+                  "Resolved{pipeline, resolve}: colours of that pipeline are anti-aliased already; take one of "
+                  "presets::resolve and presets::anti_aliased");
     using Output = typename P::Output;                                          ///< the channel of the picture
     using reads = decltype(typename P::reads{} | Channels<Motion, Depth>{});    ///< channels that the host must supply
     static constexpr MotionConvention motion_convention = P::motion_convention; ///< what the host's motion vectors mean: see Supplied

@@ -108,9 +108,10 @@ ShaderPlan record(P const& pipeline, std::string_view name = "pipeline", RecordO
 }
 /// @cond
 template <class P> ShaderPlan record(P const&, std::string_view = {}, RecordOptions const& = {}) {
-    static_assert(detail::PlainPipeline<P>,
-                  "record(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of a TwoSided give it the member `pipeline`; "
-                  "a resolve at the frame's size is a link: Chain{pipeline, Pipeline{denoised, Spatial{Resolve{}}}}");
+    static_assert(
+        detail::PlainPipeline<P>,
+        "record(pipeline): it takes a Pipeline, a Composite, a ByEvidence or a Chain; of a TwoSided give it the member `pipeline`; "
+        "a resolve at the frame's size is a link: Chain{pipeline, Pipeline{denoised, Spatial{Resolve{}}}}");
     return {};
 }
 /// @endcond

@@ -68,9 +68,8 @@ private:
     /// Most pixels show one surface, whose light is theirs. Where its colours are all alike there is nothing to smooth.
     QUELL_KERNEL void one_surface(AntiAliasedValue<Real>& made, Real& weights) const {
         Surface surface;
-        each_neighbour([&](auto const& tap, auto weight) QUELL_INLINED {
-            surface.add_own(tap.inside(), distance(tap.depth()), tap.colour(), Real(weight));
-        });
+        each_neighbour([&](auto const& tap, auto weight)
+                           QUELL_INLINED { surface.add_own(tap.inside(), distance(tap.depth()), tap.colour(), Real(weight)); });
         auto const varies = surface.varies();
         if (!any(varies)) return;
         take_motion(surface, surface.is_seen(), source.at(0, 0));
@@ -119,8 +118,7 @@ private:
         follow_both<true>(back, of_back);
         auto const cover = [&] { return select(back.weights > Real(0.f), front.weights / max(whole, Real(1e-20f)), Real(1.f)); };
         if constexpr (tells_others) {
-            made.told =
-                select(both(smooths, whole > Real(0.f)), mix(back.colour(), front.colour(), min(cover(), Real(1.f))), made.told);
+            made.told = select(both(smooths, whole > Real(0.f)), mix(back.colour(), front.colour(), min(cover(), Real(1.f))), made.told);
             if (policy.by_surface) front.add_sums(own_front), back.add_sums(own_back), whole = whole + own_whole;
         }
         // The surface that the pixel shows has the light that the pixel has.
@@ -199,7 +197,9 @@ private:
             return true;
         });
     }
-    struct ThreeWeights { Real at[3]; };
+    struct ThreeWeights {
+        Real at[3];
+    };
     /// Of the samples at a column and those beside it, or rows; 0 outside.
     QUELL_KERNEL ThreeWeights three_weights(Real column, Real at, Real size) const {
         auto const weight = [&](Real off) QUELL_INLINED { return quell::exp(off * off * falloff_of(policy)); };

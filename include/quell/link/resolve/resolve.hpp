@@ -80,7 +80,8 @@ template <class Policies> struct PrepareResolve {
 
 /// A channel of the last frame, or of one farther back.
 template <ChannelTag C, int frames> using OfPast = std::conditional_t<frames == 0, C, Earlier<C, frames + (frames == 0)>>;
-template <int... k> auto kept_by_resolve(std::integer_sequence<int, k...>)
+template <int... k>
+auto kept_by_resolve(std::integer_sequence<int, k...>)
     -> union_of<Channels<OfPast<SeenPicture, k>, OfPast<SeenVector, k>, OfPast<SeenDepth, k>>...>;
 
 /// Puts the picture together from this frame and those before it.
@@ -98,15 +99,11 @@ template <class Policies, int frames> struct TakeResolved {
         QUELL_KERNEL auto size() const { return px.size(); }
         QUELL_KERNEL vec2<Real> where(vec2<Real> const& place) const { return place; }
         QUELL_KERNEL vec2<Real> moved(vec2<Real> const& place, vec2<Real> const& vector) const { return place + vector; }
-        QUELL_KERNEL vec2<Real> off_centre(vec2<Real> const& at) const {
-            return {at.x - floor(at.x) - 0.5f, at.y - floor(at.y) - 0.5f};
-        }
+        QUELL_KERNEL vec2<Real> off_centre(vec2<Real> const& at) const { return {at.x - floor(at.x) - 0.5f, at.y - floor(at.y) - 0.5f}; }
     };
     template <class Px> struct Now : Raster<Px> {
         using Real = typename Px::Real;
-        QUELL_KERNEL vec3<Real> picture(auto const& place, int dx, int dy) const {
-            return this->px.signal_elsewhere(place, dx, dy).first;
-        }
+        QUELL_KERNEL vec3<Real> picture(auto const& place, int dx, int dy) const { return this->px.signal_elsewhere(place, dx, dy).first; }
         QUELL_KERNEL vec2<Real> vector(auto const& place) const { return this->px.elsewhere(place, SeenVector{}); }
     };
     template <class Px, int k> struct Then : Raster<Px> {
@@ -144,9 +141,7 @@ template <class Policies, int frames> struct TakeResolved {
             (std::make_integer_sequence<int, frames>{});
         }
     };
-    QUELL_KERNEL auto filter(auto px) const {
-        return resolved<typename decltype(px)::Signal>(policies, Seen<decltype(px)>{px});
-    }
+    QUELL_KERNEL auto filter(auto px) const { return resolved<typename decltype(px)::Signal>(policies, Seen<decltype(px)>{px}); }
 };
 } // namespace detail
 
@@ -159,8 +154,8 @@ template <class Policies, int frames> struct TakeResolved {
 /// sought along the motion of the nearest surface in the 3x3 around, so that edges move with what they belong to, and clamped to the range
 /// of the 3x3 around. A sample whose depth is none of those around counts nothing.
 ///
-/// presets::resolve() puts it behind a denoiser, for an output of any size. As a filter of a link, `Pipeline{denoised, Spatial{Resolve{}}}`,
-/// it is for frames of the output's size.
+/// presets::resolve() puts it behind a denoiser, for an output of any size. As a filter of a link, `Pipeline{denoised,
+/// Spatial{Resolve{}}}`, it is for frames of the output's size.
 /// @tparam Kernel     how a sample's distance weighs: GaussianKernel, or another one with weight(squared distance)
 /// @tparam Range      MinMax, MeanDeviation, or another one with `low` and `high` (blend/clamped.hpp)
 /// @tparam Axes       the colour space in which the past is clamped: YCoCg or Rgb
