@@ -1,86 +1,15 @@
 #pragma once
 
-#include <quell/frame/repair.hpp>
 #include <quell/pipeline/fill_holes.hpp>
 #include <quell/pipeline/graph/check_frame.hpp>
 #include <quell/pipeline/graph/complete_ingest.hpp>
+#include <quell/pipeline/graph/copy_jobs.hpp>
 #include <quell/pipeline/graph/frame_pass.hpp>
+#include <quell/pipeline/graph/frame_views.hpp>
 #include <quell/pipeline/graph/job.hpp>
 #include <quell/pipeline/pipeline.hpp>
 
 namespace quell::inline QUELL_INSTRUCTION_SET::detail {
-
-/// Copies a guide with its impossible values repaired.
-template <ChannelTag C, class From, class To> struct RepairJob {
-    static constexpr auto name = "repair guide";
-    From from;
-    To to;
-
-    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, int x, int y, int count) const {
-        store_pixels<Real>(to, x, y, Repair<C>::repaired(load_pixels<Real>(from, x, y)), count);
-    }
-};
-
-/// Copies what is carried one frame on; where there is no last frame, this one stands for it.
-template <class Then, class Kept, class Carried> struct CarryJob {
-    static constexpr auto name = "carry";
-    Then then; ///< of the last frame
-    Kept kept; ///< of this one
-    Carried carried;
-    bool has_past;
-
-    template <class Real> QUELL_KERNEL void operator()(AtOnce<Real>, Coordinate<Real> x, Coordinate<Real> y, int count) const {
-        for_each_channel(typename Carried::channels{}, [&]<class C>(C c) QUELL_INLINED {
-            store_pixels<Real>(carried.view(c), x, y,
-                               has_past ? load_pixels<Real>(then.view(typename C::later{}), x, y)
-                                        : load_pixels<Real>(kept.view(typename C::kept{}), x, y),
-                               count);
-        });
-    }
-};
-template <class Then, class Kept, class Carried> CarryJob(Then, Kept, Carried, bool) -> CarryJob<Then, Kept, Carried>;
-
-/// The storage of a frame's guides.
-template <class Storage> constexpr auto storage_of_guides() {
-    if constexpr (requires { typename Storage::Others; })
-        return storage_of_guides<typename Storage::Others>();
-    else
-        return std::type_identity<Storage>{};
-}
-template <class Storage> using StorageOfGuides = typename decltype(storage_of_guides<Storage>())::type;
-
-/// The storage in which copies of a host's images are made; void where there is none.
-template <class Given> constexpr auto storage_of_copies() {
-    using Storage = StorageOfGuides<Given>;
-    if constexpr (owns_memory<Storage>())
-        return std::type_identity<Storage>{};
-    else if constexpr (requires { typename Storage::Copy; })
-        return std::type_identity<typename Storage::Copy>{};
-    else
-        return std::type_identity<void>{};
-}
-template <class Storage> using StorageOfCopies = typename decltype(storage_of_copies<Storage>())::type;
-
-/// Views of a frame's images, or of the copies that stand in for them.
-template <class Set, class Storage> struct FrameViews {
-    Frame<Set, Storage> const& frame;
-    ImageTable const& repaired;
-
-    template <class... Ds> [[nodiscard]] auto of(Channels<Ds...>) const { return Views<Storage, Channels<Ds...>>{{view<Ds>()}...}; }
-
-private:
-    using Copy = StorageOfCopies<Storage>;
-    template <ChannelTag C> ViewOf<Storage, C> view() const {
-        if constexpr (CopiedGuides::has<C> && !std::is_void_v<Copy>)
-            if (auto const* const copy = repaired.find(&channel_info<C>)) {
-                if constexpr (std::is_same_v<ViewOf<Storage, C>, ViewOf<Copy, C>>)
-                    return view_in<Copy, C>(*copy);
-                else if constexpr (requires { ViewOf<Storage, C>::of_copy(view_in<Copy, C>(*copy)); })
-                    return ViewOf<Storage, C>::of_copy(view_in<Copy, C>(*copy));
-            }
-        return frame[C{}].view();
-    }
-};
 
 /// The functions that run a pipeline's passes, for one type of frame, storage, executor and target.
 template <class P, class FrameT, class Storage, class E, class Into> struct Kernels;
