@@ -51,12 +51,20 @@ Code const* code_for(char const* wanted, quell_status& status) {
     return nullptr;
 }
 
+Sizes sizes_of(quell_settings const& settings) {
+    bool const is_said = settings.output_width != 0 || settings.output_height != 0;
+    return {settings.width, settings.height, is_said ? settings.output_width : settings.width,
+            is_said ? settings.output_height : settings.height};
+}
+bool is_resized(quell_settings const& settings) {
+    auto const sizes = sizes_of(settings);
+    return sizes.output_width != sizes.width || sizes.output_height != sizes.height;
+}
+
 /// A sentence where a device can't do what the settings ask for.
 std::string check_device(quell_settings const& settings) {
-    bool const is_resized = (settings.output_width != 0 || settings.output_height != 0) &&
-                            (settings.output_width != settings.width || settings.output_height != settings.height);
     for (auto const& [name, is_set] : {std::pair{"alpha", settings.alpha != 0},
-                                       {"an output of another size", is_resized},
+                                       {"an output of another size", is_resized(settings)},
                                        {"allocate", settings.allocate != nullptr},
                                        {"instruction_set", settings.instruction_set != nullptr}})
         if (is_set)
@@ -293,17 +301,10 @@ quell_status run(quell_denoiser& denoiser, quell_frame const* frames, std::size_
     return QUELL_OK;
 }
 
-Sizes sizes_of(quell_settings const& settings) {
-    bool const is_said = settings.output_width != 0 || settings.output_height != 0;
-    return {settings.width, settings.height, is_said ? settings.output_width : settings.width,
-            is_said ? settings.output_height : settings.height};
-}
 /// The names of a list between commas; with `resolve` where the output has another size.
 std::vector<std::string> stages_of(quell_settings const& settings) {
     auto names = names_in(settings.stages != nullptr ? settings.stages : "");
-    auto const sizes = sizes_of(settings);
-    bool const is_resized = sizes.output_width != sizes.width || sizes.output_height != sizes.height;
-    if (is_resized && std::ranges::find(names, resolve_stage) == names.end()) names.emplace_back(resolve_stage);
+    if (is_resized(settings) && std::ranges::find(names, resolve_stage) == names.end()) names.emplace_back(resolve_stage);
     return names;
 }
 /// A sentence where a name is none of those that there are, or there twice.

@@ -83,9 +83,7 @@ template <class Named> Stage link_stage(Named const& named) {
 
 std::vector<Stage> link_stages() {
     std::vector<Stage> all;
-    for_each_stage([&](auto const& named) {
-        if (named.name != resolve_stage) all.push_back(link_stage(named));
-    });
+    for_each_stage_before_resolve([&](auto const& named) { all.push_back(link_stage(named)); });
     return all;
 }
 

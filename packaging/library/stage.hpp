@@ -33,8 +33,8 @@ struct Stage {
 /// All of them, in the order in which they are put around a preset: each around those before it.
 [[nodiscard]] std::vector<Stage> const& stages();
 
-/// Those of quell::named_stages and QUELL_OWN_STAGES, which stand behind a preset; but `resolve`, which here takes frames of several sizes,
-/// alpha and single components: see resolved_denoiser.hpp.
+/// Those of quell::named_stages and QUELL_OWN_STAGES, which stand behind a preset. Behind them is `resolve`, which here takes frames of
+/// several sizes, alpha and single components: see resolved_denoiser.hpp.
 [[nodiscard]] std::vector<Stage> link_stages();
 
 } // namespace quell_library

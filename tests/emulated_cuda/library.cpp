@@ -228,7 +228,7 @@ TEST_CASE("what a device can't do is said, and what it lacks") {
     auto changed = settings;
     changed.stages = "two-sided";
     CHECK(refused(changed, QUELL_NOT_SUPPORTED) ==
-          "settings.stages: there is no 'two-sided' for CUDA; give some of these, with commas between: light, colours, resolve, half");
+          "settings.stages: there is no 'two-sided' for CUDA; give some of these, with commas between: light, colours, half, resolve");
     changed = settings, changed.output_width = 2 * width, changed.output_height = 2 * height;
     CHECK(refused(changed, QUELL_NOT_SUPPORTED).find("QUELL_CUDA with an output of another size") != std::string::npos);
     changed = settings, changed.stages = "colours,resolve";
@@ -240,7 +240,7 @@ TEST_CASE("what a device can't do is said, and what it lacks") {
     CHECK(std::string(quell_device_preset_name(QUELL_CUDA, 0)) == "svgf");
     CHECK(quell_device_preset_name(QUELL_CUDA, 1) == nullptr);
     CHECK(std::string(quell_stage_name(QUELL_CUDA, 0)) == "light");
-    CHECK(std::string(quell_stage_name(QUELL_CUDA, 3)) == "half");
+    CHECK(std::string(quell_stage_name(QUELL_CUDA, 2)) == "half");
     CHECK(quell_stage_name(QUELL_CUDA, 4) == nullptr);
 
     device::fail("cudaGetDeviceCount", 0, cudaErrorNoDevice);

@@ -1,5 +1,5 @@
 // Colours that libquell anti-aliases behind a preset: what the headers' link makes of what it makes without.
-#include "wall.hpp"
+#include "link_pictures.hpp"
 
 #include <quell/link/colours/anti_aliased.hpp>
 
@@ -29,15 +29,7 @@ struct PaintedWall : Wall {
     }
 };
 std::vector<std::vector<float>> pictures_of(quell_settings const& settings) {
-    auto const denoiser = made(settings);
-    PaintedWall wall;
-    std::vector<std::vector<float>> all;
-    for (unsigned i = 0; i < frames; ++i) {
-        wall.look(i);
-        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
-        all.push_back(wall.out);
-    }
-    return all;
+    return wall_test::pictures_of<PaintedWall>(settings, frames);
 }
 
 } // namespace
@@ -47,28 +39,7 @@ TEST_CASE("colours: bit for bit what the headers make of the preset's picture, i
     auto settings = settings_of();
     auto const plain = pictures_of(settings);
     constexpr Pipeline link{denoised, Spatial{AntiAliased::of_samples(1)}};
-    Frame frame({width, height}, link);
-    History history({width, height}, link);
-    std::vector<std::vector<float>> wanted;
-    PaintedWall wall;
-    for (unsigned i = 0; i < frames; ++i) {
-        wall.look(i);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                auto const p = static_cast<std::size_t>(y * width + x);
-                auto const three = [&](std::vector<float> const& values) {
-                    return glm::vec3(values[3 * p], values[3 * p + 1], values[3 * p + 2]);
-                };
-                frame[denoised].set(x, y, three(plain[i])), frame[albedo].set(x, y, three(wall.albedo));
-                frame[depth].set(x, y, wall.depth[p]), frame[motion].set(x, y, {wall.motion[2 * p], wall.motion[2 * p + 1]});
-            }
-        frame.camera.jitter = {wall.camera.jitter[0], wall.camera.jitter[1]};
-        auto const picture = run(link, frame, history);
-        auto& values = wanted.emplace_back();
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                for (int c = 0; c < 3; ++c) values.push_back(picture.get(c, x, y));
-    }
+    auto const wanted = behind<PaintedWall>(plain, link);
     settings.stages = "colours";
     CHECK(pictures_of(settings) == wanted);
     CHECK(plain != wanted);

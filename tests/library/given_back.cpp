@@ -1,5 +1,5 @@
 // Light that libquell gives back behind a preset: what the headers give back to what it makes without.
-#include "wall.hpp"
+#include "link_pictures.hpp"
 
 #include <quell/link/light_given_back.hpp>
 #include <quell/pipeline/plan.hpp>
@@ -30,15 +30,7 @@ quell_settings giving_back(char const* preset = "svgf") {
     return settings;
 }
 std::vector<std::vector<float>> pictures_of(quell_settings const& settings) {
-    auto const denoiser = made(settings);
-    StripedWall wall;
-    std::vector<std::vector<float>> all;
-    for (unsigned i = 0; i < frames; ++i) {
-        wall.look(i);
-        REQUIRE(quell_run(denoiser.get(), wall.ready()) == QUELL_OK);
-        all.push_back(wall.out);
-    }
-    return all;
+    return wall_test::pictures_of<StripedWall>(settings, frames);
 }
 bool has(char const* preset) {
     for (int32_t i = 0; char const* const name = quell_preset_name(i); ++i)
@@ -57,28 +49,7 @@ TEST_CASE("light given back: bit for bit what the headers give back, in C and in
     using namespace quell;
     auto const plain = pictures_of(settings_of());
     constexpr auto link = light_given_back(radiance, static_cast<float>(samples));
-    Frame frame({width, height}, link);
-    History history({width, height}, link);
-    std::vector<std::vector<float>> wanted;
-    StripedWall wall;
-    for (unsigned i = 0; i < frames; ++i) {
-        wall.look(i);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                auto const p = static_cast<std::size_t>(y * width + x);
-                auto const three = [&](std::vector<float> const& values) {
-                    return glm::vec3(values[3 * p], values[3 * p + 1], values[3 * p + 2]);
-                };
-                frame[radiance].set(x, y, three(wall.rgb)), frame[denoised].set(x, y, three(plain[i]));
-                frame[normal].set(x, y, three(wall.normal)), frame[depth].set(x, y, wall.depth[p]);
-                frame[motion].set(x, y, {wall.motion[2 * p], wall.motion[2 * p + 1]});
-            }
-        auto const picture = run(link, frame, history);
-        auto& values = wanted.emplace_back();
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                for (int c = 0; c < 3; ++c) values.push_back(picture.get(c, x, y));
-    }
+    auto const wanted = behind<StripedWall>(plain, link);
     auto settings = giving_back();
     auto const given = pictures_of(settings);
     CHECK(given == wanted);

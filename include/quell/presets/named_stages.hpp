@@ -33,10 +33,8 @@ inline constexpr std::tuple named_stages{
                [](StandsBehind of) {
                    return Pipeline{denoised, Spatial{AntiAliased::of_samples(static_cast<int>(of.samples))}};
                }},
-    NamedStage{"resolve",
-               [](StandsBehind) {
-                   return Pipeline{denoised, Spatial{Resolve{}}};
-               }},
 };
+/// Stands behind all of them, and behind those of a host's own: what comes out may be of another size.
+inline constexpr NamedStage named_resolve{"resolve", [](StandsBehind) { return Pipeline{denoised, Spatial{Resolve{}}}; }};
 
 } // namespace quell::inline QUELL_INSTRUCTION_SET
